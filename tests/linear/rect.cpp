@@ -7,7 +7,6 @@ namespace {
 
 using intaglio::linear::in_domain;
 using intaglio::linear::intersect;
-using intaglio::linear::Point;
 using intaglio::linear::Rect;
 
 TEST(Rect, ContainsItsCornerButNotItsFarEdges) {

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+//
+// Error bounds and rungs: how an approximation says how far off it can be.
+//
+// Rule: a way of computing a value is a type (a *rung*) with a `bound` and a call operator. The bound is an
+// upper bound of |computed - true| over the rung's whole domain, in thousandths of a named unit; a test holds
+// it against an exact oracle and fails when it is exceeded. Rungs for the same value form a `Family`, which
+// tests and measurements walk, so that a rung can't exist without being measured.
+#pragma once
+
+#include <concepts>
+#include <cstdint>
+
+namespace intaglio::number {
+
+/// What an error is counted in.
+enum class Unit : std::uint8_t {
+  lsb,      ///< The last place of the result itself (for integers: 1).
+  lsb_q15,  ///< 2^-15.
+  lsb_q16,  ///< 2^-16.
+};
+
+/// |computed - true| <= thousandths / 1000 of the unit.
+struct Bound {
+  std::int32_t thousandths = 0;
+  Unit unit = Unit::lsb;
+
+  [[nodiscard]] constexpr bool exact() const noexcept { return thousandths == 0; }
+  friend constexpr bool operator==(Bound, Bound) noexcept = default;
+};
+
+[[nodiscard]] constexpr Bound lsb_q15(std::int32_t thousandths) noexcept {
+  return {thousandths, Unit::lsb_q15};
+}
+[[nodiscard]] constexpr Bound lsb_q16(std::int32_t thousandths) noexcept {
+  return {thousandths, Unit::lsb_q16};
+}
+
+/// A way of computing a value: callable without state, with its error bound.
+template <class R>
+concept Rung = std::default_initializable<R> && requires {
+  { R::bound } -> std::convertible_to<Bound>;
+};
+
+/// The rungs that compute the same value, cheapest first.
+template <Rung... Rungs>
+struct Family {
+  static constexpr int size = sizeof...(Rungs);
+};
+
+}  // namespace intaglio::number

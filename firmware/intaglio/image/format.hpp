@@ -37,6 +37,12 @@ struct Indexed {
     const unsigned from_lsb = Order == BitOrder::lsb_first ? slot : pixels_per_byte - 1U - slot;
     return from_lsb * Bits;
   }
+  /// The bits of a byte that hold its pixels `slot` and onward, counted from the left; none for the slot
+  /// after the last.
+  [[nodiscard]] static constexpr unsigned mask_from(int slot) noexcept {
+    const unsigned bits_before = static_cast<unsigned>(slot) * Bits;
+    return Order == BitOrder::lsb_first ? (255U << bits_before) & 255U : 255U >> bits_before;
+  }
   /// A byte full of pixels of this index; only the low `bits` bits of `index` count.
   [[nodiscard]] static constexpr std::uint8_t replicate(unsigned index) noexcept {
     return static_cast<std::uint8_t>((index & max_index) * (255U / max_index));

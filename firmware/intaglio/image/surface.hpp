@@ -100,6 +100,9 @@ class PixelView {
   /// How far left the pixel of column x lies in its byte, in bits. Precondition: x is a column of `bounds()`.
   [[nodiscard]] constexpr unsigned shift_at(int x) const noexcept { return F::shift(slot_of(x)); }
 
+  /// Which pixel of its byte column x is, counted from the left. Precondition: x is a column of `bounds()`.
+  [[nodiscard]] constexpr int slot_at(int x) const noexcept { return slot_of(x) & (F::pixels_per_byte - 1); }
+
   /// The index at (x, y). Precondition: (x, y) is in `bounds()`.
   [[nodiscard]] constexpr unsigned get(int x, int y) const noexcept {
     if constexpr (F::bits == 8) return *byte_at(x, y);

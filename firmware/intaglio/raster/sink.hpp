@@ -18,8 +18,8 @@
 
 namespace intaglio::raster {
 
-/// Takes the pixels (x_begin .. x_end-1, y). `clip()` is where it can take them; it never changes while a
-/// primitive is drawn.
+/// Takes the pixels (x_begin .. x_end-1, y). `clip()` is where it can take them: a rectangle in the
+/// coordinate domain without negative extent, which never changes while a primitive is drawn.
 template <class S>
 concept SpanSink = requires(S& s, int y, int x_begin, int x_end) {
   s.span(y, x_begin, x_end);
@@ -47,5 +47,11 @@ template <class S>
 concept BlockSink = SpanSink<S> && requires(S& s, const linear::Rect& r) {
   s.block(r);
 };
+
+/// True if the clip of a sink holds the pixel, wherever it lies.
+[[nodiscard]] constexpr bool in_clip(const linear::Rect& clip, linear::Point p) noexcept {
+  return static_cast<unsigned>(p.x) - static_cast<unsigned>(clip.x) < static_cast<unsigned>(clip.width) &&
+         static_cast<unsigned>(p.y) - static_cast<unsigned>(clip.y) < static_cast<unsigned>(clip.height);
+}
 
 }  // namespace intaglio::raster

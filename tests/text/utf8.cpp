@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <intaglio/text/utf8.hpp>
-
 #include <tests/oracle/utf8.hpp>
 
 #include <gtest/gtest.h>
@@ -80,8 +79,8 @@ TEST(Utf8, AllThreeByteStringsWithALeadAgreeWithTheOracle) {
 
 // Four bytes: all leads and second bytes; for the third and fourth both sides of every border of table 3-7.
 TEST(Utf8, FourByteStringsAgreeWithTheOracle) {
-  constexpr std::array borders{0x00U, 0x7FU, 0x80U, 0x8FU, 0x90U, 0x9FU, 0xA0U, 0xBFU,
-                               0xC0U, 0xC2U, 0xDFU, 0xE0U, 0xEDU, 0xF0U, 0xF4U, 0xF5U, 0xFFU};
+  constexpr std::array borders{0x00U, 0x7FU, 0x80U, 0x8FU, 0x90U, 0x9FU, 0xA0U, 0xBFU, 0xC0U,
+                               0xC2U, 0xDFU, 0xE0U, 0xEDU, 0xF0U, 0xF4U, 0xF5U, 0xFFU};
   for (unsigned a = 0xDF; a < 256; ++a)
     for (unsigned b = 0; b < 256; ++b)
       for (const unsigned c : borders)
@@ -111,7 +110,7 @@ TEST(Utf8, OneReplacementForEachMaximalSubpart) {
   EXPECT_EQ(decode("\xE2\x82"
                    "A"),
             (std::vector<std::uint32_t>{0xFFFD, 'A'}));
-  EXPECT_EQ(decode("\xC0\xAF"), (std::vector<std::uint32_t>{0xFFFD, 0xFFFD}));      // overlong slash
+  EXPECT_EQ(decode("\xC0\xAF"), (std::vector<std::uint32_t>{0xFFFD, 0xFFFD}));              // overlong slash
   EXPECT_EQ(decode("\xED\xA0\x80"), (std::vector<std::uint32_t>{0xFFFD, 0xFFFD, 0xFFFD}));  // surrogate
   EXPECT_EQ(decode("\xF4\x90\x80\x80"), (std::vector<std::uint32_t>{0xFFFD, 0xFFFD, 0xFFFD, 0xFFFD}));
 }

@@ -62,7 +62,8 @@ class Font {
     if (tables.line_height < 1 || tables.line_height > 255 || tables.ascent < 0 ||
         tables.ascent > tables.line_height)
       return Status{Error::malformed, Argument::font};
-    if (tables.glyphs.empty() || tables.glyphs.size() > 65535) return Status{Error::malformed, Argument::glyph};
+    if (tables.glyphs.empty() || tables.glyphs.size() > 65535)
+      return Status{Error::malformed, Argument::glyph};
     for (const Glyph& glyph : tables.glyphs) {
       const auto bytes = static_cast<std::size_t>(glyph.row_bytes() * glyph.height);
       if (glyph.offset + bytes > tables.rows.size()) return Status{Error::malformed, Argument::glyph};

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <intaglio/text/glyph_run.hpp>
-
 #include <intaglio/text/utf8.hpp>
 
 namespace intaglio::text {
@@ -35,8 +34,7 @@ bool GlyphRun::next(GlyphPart& part) noexcept {
     part.visible = linear::intersect(box, clip_);
     if (part.visible.empty()) continue;
     part.row_bytes = glyph.row_bytes();
-    part.rows =
-        font_.tables().rows.data() + glyph.offset + (part.visible.y - box.y) * part.row_bytes;
+    part.rows = font_.tables().rows.data() + glyph.offset + (part.visible.y - box.y) * part.row_bytes;
     part.column = part.visible.x - box.x;
     return true;
   }

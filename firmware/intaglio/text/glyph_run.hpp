@@ -2,11 +2,11 @@
 //
 // Lays a text out and hands over, one after the other, the visible parts of its glyphs.
 //
-// Rule: the pen starts at the top left of the first line; each glyph's box stands where pen and glyph say, and
-// the pen goes on by its advance; '\n' takes it back to the left, one line height down. What is handed over
-// is cut to the clip rectangle, so the drawing that follows is bounded by the visible; lines above the clip
-// and the rest of a line that left it at the right are passed over without looking glyphs up.
-// This is the part of text drawing that doesn't depend on the sink: it exists once in a program.
+// Rule: the pen starts at the top left of the first line; each glyph's box stands where pen and glyph say,
+// and the pen goes on by its advance; '\n' takes it back to the left, one line height down. What is handed
+// over is cut to the clip rectangle, so the drawing that follows is bounded by the visible; lines above the
+// clip and the rest of a line that left it at the right are passed over without looking glyphs up. This is
+// the part of text drawing that doesn't depend on the sink: it exists once in a program.
 //
 // Bit budget: the pen starts in the domain (2^20), stops within `overhang` + 255 of a clip edge (2^22 at
 // most), and a box adds at most 128 + 255: below 2^23.
@@ -33,7 +33,8 @@ struct GlyphPart {
 class GlyphRun {
  public:
   /// `top_left` must be in the domain, the font not empty; font and text must outlive the run.
-  GlyphRun(const Font& font, linear::Point top_left, std::string_view utf8, const linear::Rect& clip) noexcept;
+  GlyphRun(const Font& font, linear::Point top_left, std::string_view utf8,
+           const linear::Rect& clip) noexcept;
 
   /// Goes to the next visible glyph; false if there is none.
   [[nodiscard]] bool next(GlyphPart& part) noexcept;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <intaglio/text/measure.hpp>
-
 #include <intaglio/text/utf8.hpp>
 
 namespace intaglio::text {

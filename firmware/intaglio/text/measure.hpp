@@ -14,9 +14,9 @@
 
 namespace intaglio::text {
 
-/// The extent of a UTF-8 text in pixels, each side saturated at 2^21 (the widest rectangle there is). Malformed
-/// sequences and missing glyphs count as the replacement box, which is what they draw. An empty font: 0 by 0.
-/// Cost: once through the text.
+/// The extent of a UTF-8 text in pixels, each side saturated at 2^21 (the widest rectangle there is).
+/// Malformed sequences and missing glyphs count as the replacement box, which is what they draw. An empty
+/// font: 0 by 0. Cost: once through the text.
 [[nodiscard]] linear::Size measure(const Font& font, std::string_view utf8) noexcept;
 
 }  // namespace intaglio::text

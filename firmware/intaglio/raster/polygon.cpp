@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: MIT
+#include <intaglio/raster/polygon.hpp>
+
+#include <climits>
+
+#include <algorithm>
+#include <utility>
+
+namespace intaglio::raster {
+
+namespace detail {
+
+Status PolygonScan::prepare(FillRule rule, std::span<const linear::SubPoint> vertices,
+                            std::span<const int> contour_lengths, const linear::Rect& clip) noexcept {
+  if (rule > FillRule::non_zero) return {Error::out_of_range, Argument::rule};
+  mask_ = rule == FillRule::even_odd ? 1 : -1;
+  clip_ = clip;
+
+  std::size_t rest = vertices.size();
+  for (const int length : contour_lengths) {
+    if (length < 0) return {Error::out_of_range, Argument::contours};
+    if (static_cast<std::size_t>(length) > rest) return {Error::mismatched, Argument::contours};
+    rest -= static_cast<std::size_t>(length);
+  }
+  if (rest != 0) return {Error::mismatched, Argument::contours};
+  for (const linear::SubPoint vertex : vertices)
+    if (!linear::in_domain(vertex)) return {Error::out_of_domain, Argument::vertices};
+  if (clip.empty()) return {};
+
+  for (const int length : contour_lengths) {
+    add_contour(vertices.first(static_cast<std::size_t>(length)));
+    vertices = vertices.subspan(static_cast<std::size_t>(length));
+  }
+  if (count_ > edges_.size()) return {Error::too_small, Argument::workspace, count_};
+  if (count_ == 0) return {};
+  waiting_ = sorted(0, static_cast<int>(count_));
+  return {};
+}
+
+void PolygonScan::add_contour(std::span<const linear::SubPoint> vertices) noexcept {
+  if (vertices.size() < 3) return;
+  // An edge is beside the window if no pixel centre inside is to its left (left of it) or right (right of
+  // it).
+  const int left = clip_.x * linear::subpixel_one;
+  const int right = (clip_.right() - 1) * linear::subpixel_one;
+  bool in_chain = false;
+  linear::SubPoint chain_start{};
+  linear::SubPoint from = vertices.back();
+  for (const linear::SubPoint to : vertices) {
+    const bool left_of_it = from.x <= left && to.x <= left;
+    if (left_of_it && !in_chain) chain_start = from;
+    if (!left_of_it && in_chain) add_edge(chain_start, from, true);
+    in_chain = left_of_it;
+    if (!left_of_it && (from.x <= right || to.x <= right)) add_edge(from, to, false);
+    from = to;
+  }
+  if (in_chain) add_edge(chain_start, from, true);
+}
+
+/// Stores an edge, or the chain of edges between two points left of the window, if it has visible rows.
+void PolygonScan::add_edge(linear::SubPoint from, linear::SubPoint to, bool at_side) noexcept {
+  const bool upwards = to.y < from.y;
+  if (upwards) std::swap(from, to);
+  const int row = std::max(ceil_to_pixel(from.y), clip_.y);
+  const int end = std::min(ceil_to_pixel(to.y), clip_.bottom());
+  if (row >= end) return;
+  if (count_ < edges_.size()) {
+    PolygonEdge& edge = edges_[count_];
+    edge.edge_ = at_side ? Edge::upright(clip_.x) : Edge(from, to, row);
+    edge.row_ = row;
+    edge.end_ = 2 * end + (upwards ? 1 : 0);
+  }
+  ++count_;
+}
+
+bool PolygonScan::before(int a, int b) noexcept {
+  const PolygonEdge& first = at(a);
+  const PolygonEdge& second = at(b);
+  return first.row_ != second.row_ ? first.row_ < second.row_ : first.edge_.x() < second.edge_.x();
+}
+
+/// Merges two sorted lists.
+int PolygonScan::merged(int a, int b) noexcept {
+  int head = none;
+  int* tail = &head;
+  while (a != none && b != none) {
+    int& lesser = before(b, a) ? b : a;
+    *tail = lesser;
+    tail = &at(lesser).next_;
+    lesser = *tail;
+  }
+  *tail = a != none ? a : b;
+  return head;
+}
+
+/// The edges begin .. end-1 as a sorted list. The depth of the recursion is log2 of their number.
+int PolygonScan::sorted(int begin, int end) noexcept {
+  if (end - begin == 1) {
+    at(begin).next_ = none;
+    return begin;
+  }
+  const int middle = begin + (end - begin) / 2;
+  const int first = sorted(begin, middle);
+  return merged(first, sorted(middle, end));
+}
+
+/// Takes the active edges to row y_, drops those that end above it and puts them in order again.
+void PolygonScan::step_active() noexcept {
+  int head = none;
+  int last = none;
+  int following = none;
+  for (int i = active_; i != none; i = following) {
+    PolygonEdge& edge = at(i);
+    following = edge.next_;
+    if (edge.end_ >> 1 <= y_) continue;
+    edge.edge_.next();
+    const int x = edge.edge_.x();
+    int* link = &head;
+    if (last == none || at(last).edge_.x() <= x) {
+      if (last != none) link = &at(last).next_;
+      last = i;
+      edge.next_ = none;
+    } else {
+      // It has crossed others: find its place from the left, at the latest before the last.
+      while (at(*link).edge_.x() <= x) link = &at(*link).next_;
+      edge.next_ = *link;
+    }
+    *link = i;
+  }
+  active_ = head;
+}
+
+/// Merges the waiting edges that begin on row y_ into the active ones.
+void PolygonScan::activate_waiting() noexcept {
+  const int first = waiting_;
+  int* link = &waiting_;
+  while (*link != none && at(*link).row_ == y_) {
+    PolygonEdge& edge = at(*link);
+    edge.row_ = INT_MIN;  // among active edges only x counts
+    link = &edge.next_;
+  }
+  if (link == &waiting_) return;
+  const int rest = *link;
+  *link = none;
+  waiting_ = rest;
+  active_ = merged(active_, first);
+}
+
+bool PolygonScan::next(RowSpan& span) noexcept {
+  const auto ends_at = [this, &span](int x) {
+    span.y = y_;
+    span.x_end = std::min(x, clip_.right());
+    return span.x_begin < span.x_end;
+  };
+  for (;;) {
+    while (cursor_ != none) {
+      const PolygonEdge& edge = at(cursor_);
+      const bool was_inside = inside();
+      winding_ += (edge.end_ & 1) != 0 ? -1 : 1;
+      cursor_ = edge.next_;
+      if (was_inside == inside()) continue;
+      if (!was_inside) {
+        span.x_begin = std::max(edge.edge_.x(), clip_.x);
+      } else if (ends_at(edge.edge_.x())) {
+        return true;
+      }
+    }
+    if (inside()) {
+      // The edges that end this span are right of the window and not kept.
+      winding_ = 0;
+      if (ends_at(clip_.right())) return true;
+    }
+    if (!next_row()) return false;
+  }
+}
+
+/// Goes to the next row that any edge crosses.
+bool PolygonScan::next_row() noexcept {
+  ++y_;
+  step_active();
+  if (active_ == none) {
+    if (waiting_ == none) return false;
+    y_ = at(waiting_).row_;
+  }
+  activate_waiting();
+  cursor_ = active_;
+  winding_ = 0;
+  return true;
+}
+
+}  // namespace detail
+
+Result<std::uint32_t> polygon_workspace(std::span<const linear::SubPoint> vertices,
+                                        std::span<const int> contour_lengths,
+                                        const linear::Rect& clip) noexcept {
+  if (!linear::in_domain(clip)) return Status{Error::out_of_domain, Argument::rectangle};
+  detail::PolygonScan scan({});
+  const Status status = scan.prepare(FillRule::even_odd, vertices, contour_lengths, clip);
+  if (!status.ok() && status.argument() != Argument::workspace) return status;
+  return scan.count();
+}
+
+}  // namespace intaglio::raster

@@ -10,6 +10,8 @@
 // Cost: about 8 instructions a binary digit of the root, fewer digits for small numbers.
 #pragma once
 
+#include <intaglio/number/fixed.hpp>
+
 #include <bit>
 #include <concepts>
 #include <cstdint>
@@ -37,7 +39,7 @@ template <std::unsigned_integral N>
   return static_cast<std::uint32_t>(root);
 }
 
-/// The integer nearest to the square root (never a tie: a root lies half-way only for n = r*r + r + 1/4).
+/// The integer nearest to the square root (never a tie: half-way lies r*r + r + 1/4).
 template <std::unsigned_integral N>
 [[nodiscard]] constexpr std::uint32_t isqrt_nearest(N n) noexcept {
   const std::uint64_t root = isqrt(n);
@@ -45,6 +47,19 @@ template <std::unsigned_integral N>
   // neighbour doesn't fit.
   const bool up = std::uint64_t{n} - root * root > root && root != 0xFFFFFFFFU;
   return static_cast<std::uint32_t>(up ? root + 1 : root);
+}
+
+/// The square root of a number in its own format; 0 for numbers below 0. Bit budget: raw * 2^F < 2^62.
+/// Rounding up could leave the range only for F = 31, next to 1, and is saturated.
+template <int F>
+[[nodiscard]] constexpr Fixed<F> sqrt_floor(Fixed<F> x) noexcept {
+  if (x.raw() <= 0) return {};
+  return Fixed<F>::from_raw(saturate(isqrt(static_cast<std::uint64_t>(x.raw()) << F)));
+}
+template <int F>
+[[nodiscard]] constexpr Fixed<F> sqrt_nearest(Fixed<F> x) noexcept {
+  if (x.raw() <= 0) return {};
+  return Fixed<F>::from_raw(saturate(isqrt_nearest(static_cast<std::uint64_t>(x.raw()) << F)));
 }
 
 static_assert(isqrt(0U) == 0 && isqrt(99U) == 9 && isqrt(0xFFFFFFFFFFFFFFFFULL) == 0xFFFFFFFFU);

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+//
+// A program on a board: the endless animation, and the short run that reports digests.
+//
+// A board is a type with static members: `start()` (false: the hardware doesn't come up), `screen()` (what
+// present::run shows frames on), `vblanks()` and `serial()`.
+#pragma once
+
+#include <hal/baremetal/core.hpp>
+#include <intaglio/present/run.hpp>
+
+#include <cstdint>
+#include <firmware/boards/common/report.hpp>
+#include <limits>
+
+namespace boards {
+
+/// Frames of a digest run.
+inline constexpr std::uint32_t digest_frames = 120;
+
+/// Sleeps for ever; interrupts go on, so what is on display stays there.
+[[noreturn]] inline void hold() noexcept {
+  for (;;) hal::baremetal::wait_for_interrupt();
+}
+
+/// Shows frame after frame.
+template <template <class> class App, class Board>
+[[noreturn]] void animate() noexcept {
+  if (!Board::start()) report_failure(Board::serial(), {});
+  auto screen = Board::screen();
+  App<typename decltype(screen)::Format> app(screen.info());
+  // 2^32 frames last two years at 60 a second; then the animation begins anew.
+  for (;;) {
+    const intaglio::Status s = intaglio::present::run(app, screen, std::numeric_limits<std::uint32_t>::max());
+    if (!s.ok()) report_failure(Board::serial(), s);
+  }
+}
+
+/// Shows `digest_frames` frames and reports the digest of each; the last one stays on display.
+template <template <class> class App, class Board>
+[[noreturn]] void report_digests() noexcept {
+  if (!Board::start()) report_failure(Board::serial(), {});
+  auto screen = Board::screen();
+  App<typename decltype(screen)::Format> app(screen.info());
+  const std::uint32_t begin = Board::vblanks();
+  const intaglio::Status s = intaglio::present::run(
+      app, screen, digest_frames,
+      [](std::uint32_t frame, std::uint32_t digest) { report_frame(Board::serial(), frame, digest); });
+  if (!s.ok()) report_failure(Board::serial(), s);
+  report_end(Board::serial(), digest_frames, Board::vblanks() - begin, screen.missed_deadlines());
+  hold();
+}
+
+}  // namespace boards

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+//
+// What a test image says on the serial line: a digest a frame, then how it ended.
+#pragma once
+
+#include <hal/baremetal/text_output.hpp>
+#include <intaglio/status.hpp>
+
+#include <cstdint>
+
+namespace boards {
+
+/// `frame 12 crc32 89abcdef`, as the simulator's --digest prints it.
+void report_frame(hal::baremetal::TextOutput& serial, std::uint32_t frame, std::uint32_t digest) noexcept;
+/// `done: 120 frames, 121 vblanks, 0 missed`: the last line of a run that went well.
+void report_end(hal::baremetal::TextOutput& serial, std::uint32_t frames, std::uint32_t vblanks,
+                std::uint32_t missed) noexcept;
+/// `failed: error 3 argument 5`, the numbers of the status: the last line of a run that went wrong. A status
+/// that is success means the hardware didn't come up.
+[[noreturn]] void report_failure(hal::baremetal::TextOutput& serial, intaglio::Status status) noexcept;
+
+}  // namespace boards

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+//
+// What a driver needs of the processor core: to sleep until an interrupt has done something.
+//
+// One of core_cortex_m.cpp, core_arm926.cpp and core_riscv.cpp is linked in; a test on the desk brings its
+// own and runs the handler when the driver goes to sleep.
+#pragma once
+
+namespace hal::baremetal {
+
+/// Interrupts wait until `unmask_interrupts`. Doesn't nest.
+void mask_interrupts() noexcept;
+void unmask_interrupts() noexcept;
+/// Sleeps until an interrupt wants to be taken, masked or not; returns at once if one already does.
+void wait_for_interrupt() noexcept;
+
+/// Sleeps until `done()` is true; an interrupt handler makes it so.
+/// Rule: the test and the sleep are one step with interrupts masked, so an interrupt that comes between them
+/// can't be slept through.
+template <class Done>
+void sleep_until(const Done& done) noexcept {
+  for (;;) {
+    mask_interrupts();
+    const bool ready = done();
+    if (!ready) wait_for_interrupt();
+    unmask_interrupts();
+    if (ready) return;
+  }
+}
+
+}  // namespace hal::baremetal

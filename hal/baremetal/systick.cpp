@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#include <hal/baremetal/core.hpp>
+#include <hal/baremetal/registers.hpp>
+#include <hal/baremetal/systick.hpp>
+
+namespace hal::baremetal {
+
+void SysTick::start() noexcept {
+  constexpr std::uintptr_t control = 0xE000'E010;
+  constexpr std::uintptr_t reload = 0xE000'E014;
+  constexpr std::uintptr_t current = 0xE000'E018;
+  constexpr std::uint32_t run_on_core_clock_with_interrupt = 7;
+  write_register(reload, cycles_ - 1);
+  write_register(current, 0);
+  write_register(control, run_on_core_clock_with_interrupt);
+}
+
+void SysTick::on_interrupt() noexcept {
+  const std::uint32_t low = ticks_low_ + 1;
+  ticks_low_ = low;
+  if (low == 0) ticks_high_ = ticks_high_ + 1;
+}
+
+Nanoseconds SysTick::do_now() noexcept {
+  for (;;) {
+    const std::uint32_t high = ticks_high_;
+    const std::uint32_t low = ticks_low_;
+    if (ticks_high_ == high && ticks_low_ == low) return (std::uint64_t{high} << 32U | low) * tick_length_;
+  }
+}
+
+void SysTick::do_wait_until(Nanoseconds time) noexcept {
+  sleep_until([&] { return do_now() >= time; });
+}
+
+}  // namespace hal::baremetal

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+//
+// The rhythm of panels that don't tell when their VBLANK begins: ticks of a clock at the refresh rate.
+//
+// Rule: tick n is due n periods after the first question, the period rounded down to whole nanoseconds.
+// Without a clock every wait is a tick, so frames follow each other as fast as the bus takes them.
+#pragma once
+
+#include <hal/clock.hpp>
+
+#include <cstdint>
+
+namespace hal::panels {
+
+class FrameTicks {
+ public:
+  /// `clock` may be null; `millihertz` is at least 1.
+  FrameTicks(Clock* clock, std::uint32_t millihertz) noexcept
+      : clock_(clock), period_(1'000'000'000'000U / millihertz) {}
+
+  /// Ticks so far; wraps.
+  [[nodiscard]] std::uint32_t count() noexcept;
+  /// Returns at the next tick.
+  void wait() noexcept;
+
+ private:
+  Clock* clock_;
+  Nanoseconds period_;
+  Nanoseconds start_ = 0;
+  bool started_ = false;
+  std::uint32_t free_ticks_ = 0;
+};
+
+}  // namespace hal::panels

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: MIT
+#include <hal/panels/ssd1306.hpp>
+
+#include <array>
+
+namespace hal::panels {
+
+namespace {
+
+namespace cmd {
+constexpr std::uint8_t column_low = 0x00;
+constexpr std::uint8_t column_high = 0x10;
+constexpr std::uint8_t memory_mode = 0x20;
+constexpr std::uint8_t scroll_off = 0x2E;
+constexpr std::uint8_t start_line = 0x40;
+constexpr std::uint8_t contrast = 0x81;
+constexpr std::uint8_t charge_pump = 0x8D;
+constexpr std::uint8_t segment_remap = 0xA1;
+constexpr std::uint8_t show_memory = 0xA4;
+constexpr std::uint8_t normal_display = 0xA6;
+constexpr std::uint8_t multiplex_ratio = 0xA8;
+constexpr std::uint8_t pump_control = 0xAD;
+constexpr std::uint8_t display_off = 0xAE;
+constexpr std::uint8_t display_on = 0xAF;
+constexpr std::uint8_t page = 0xB0;
+constexpr std::uint8_t com_reversed = 0xC8;
+constexpr std::uint8_t offset = 0xD3;
+constexpr std::uint8_t clock_divide = 0xD5;
+constexpr std::uint8_t precharge = 0xD9;
+constexpr std::uint8_t com_pins = 0xDA;
+constexpr std::uint8_t vcomh = 0xDB;
+}  // namespace cmd
+
+constexpr std::uint8_t page_addressing = 2;
+
+// The voltages and timings are those the datasheets give for modules with the built-in charge pump.
+constexpr auto setup_ssd1306_64 = std::to_array<std::uint8_t>({cmd::clock_divide,
+                                                               0x80,
+                                                               cmd::multiplex_ratio,
+                                                               63,
+                                                               cmd::offset,
+                                                               0,
+                                                               cmd::start_line,
+                                                               cmd::charge_pump,
+                                                               0x14,
+                                                               cmd::memory_mode,
+                                                               page_addressing,
+                                                               cmd::segment_remap,
+                                                               cmd::com_reversed,
+                                                               cmd::com_pins,
+                                                               0x12,
+                                                               cmd::contrast,
+                                                               0xCF,
+                                                               cmd::precharge,
+                                                               0xF1,
+                                                               cmd::vcomh,
+                                                               0x40,
+                                                               cmd::show_memory,
+                                                               cmd::normal_display,
+                                                               cmd::scroll_off});
+constexpr auto setup_ssd1306_32 = std::to_array<std::uint8_t>({cmd::clock_divide,
+                                                               0x80,
+                                                               cmd::multiplex_ratio,
+                                                               31,
+                                                               cmd::offset,
+                                                               0,
+                                                               cmd::start_line,
+                                                               cmd::charge_pump,
+                                                               0x14,
+                                                               cmd::memory_mode,
+                                                               page_addressing,
+                                                               cmd::segment_remap,
+                                                               cmd::com_reversed,
+                                                               cmd::com_pins,
+                                                               0x02,
+                                                               cmd::contrast,
+                                                               0x8F,
+                                                               cmd::precharge,
+                                                               0xF1,
+                                                               cmd::vcomh,
+                                                               0x40,
+                                                               cmd::show_memory,
+                                                               cmd::normal_display,
+                                                               cmd::scroll_off});
+constexpr auto setup_sh1106 = std::to_array<std::uint8_t>({cmd::clock_divide,
+                                                           0x80,
+                                                           cmd::multiplex_ratio,
+                                                           63,
+                                                           cmd::offset,
+                                                           0,
+                                                           cmd::start_line,
+                                                           cmd::pump_control,
+                                                           0x8B,
+                                                           cmd::segment_remap,
+                                                           cmd::com_reversed,
+                                                           cmd::com_pins,
+                                                           0x12,
+                                                           cmd::contrast,
+                                                           0x80,
+                                                           cmd::precharge,
+                                                           0x22,
+                                                           cmd::vcomh,
+                                                           0x35,
+                                                           cmd::show_memory,
+                                                           cmd::normal_display});
+constexpr auto setup_ssd0303 =
+    std::to_array<std::uint8_t>({cmd::start_line, cmd::com_reversed, cmd::show_memory, cmd::normal_display});
+
+constexpr std::array<std::uint8_t, 6> black_and_white{0, 0, 0, 255, 255, 255};
+
+constexpr int page_rows = 8;
+
+Capabilities capabilities_of(const Ssd1306Module& module) noexcept {
+  return {.width = module.width,
+          .height = module.height,
+          .bits_per_pixel = 1,
+          .bit_order = BitOrder::msb_first,
+          .fixed_palette = black_and_white,
+          .x_alignment = 8,
+          .y_alignment = page_rows,
+          .refresh_millihertz = module.refresh_millihertz};
+}
+
+}  // namespace
+
+constinit const Ssd1306Module ssd1306_128x64{128, 64, 0, setup_ssd1306_64};
+constinit const Ssd1306Module ssd1306_128x32{128, 32, 0, setup_ssd1306_32};
+constinit const Ssd1306Module sh1106_128x64{128, 64, 2, setup_sh1106};
+constinit const Ssd1306Module ssd0303_96x16{96, 16, 36, setup_ssd0303};
+
+Ssd1306::Ssd1306(CommandPort& port, const Ssd1306Module& module, Clock* frame_clock) noexcept
+    : WritePanel(capabilities_of(module), frame_clock), port_(&port), module_(module) {}
+
+Status Ssd1306::start() noexcept {
+  constexpr std::array<std::uint8_t, 1> off{cmd::display_off};
+  constexpr std::array<std::uint8_t, 1> on{cmd::display_on};
+  if (const Status s = port_->command(off); !s.ok()) return s;
+  if (const Status s = port_->command(module_.setup); !s.ok()) return s;
+  // The memory holds noise; it is cleared before anyone sees it.
+  constexpr std::array<std::uint8_t, 32> black{};
+  for (int y = 0; y < module_.height; y += page_rows) {
+    if (const Status s = set_position(y / page_rows, 0); !s.ok()) return s;
+    for (int x = 0; x < module_.width; x += static_cast<int>(black.size())) {
+      const int left = module_.width - x;
+      const auto count =
+          left < static_cast<int>(black.size()) ? static_cast<std::size_t>(left) : black.size();
+      if (const Status s = port_->data(std::span(black).first(count)); !s.ok()) return s;
+    }
+  }
+  return port_->command(on);
+}
+
+Status Ssd1306::set_position(int page, int x) noexcept {
+  const auto column = static_cast<unsigned>(x + module_.column_offset);
+  const std::array<std::uint8_t, 3> position{static_cast<std::uint8_t>(cmd::page + page),
+                                             static_cast<std::uint8_t>(cmd::column_low | (column & 15U)),
+                                             static_cast<std::uint8_t>(cmd::column_high | column >> 4U)};
+  return port_->command(position);
+}
+
+Status Ssd1306::do_write(const Rect& area, std::span<const std::uint8_t> pixels, int stride) noexcept {
+  for (int y = 0; y < area.height; y += page_rows) {
+    const auto first = static_cast<std::size_t>(y) * static_cast<std::size_t>(stride);
+    const int rows = area.height - y < page_rows ? area.height - y : page_rows;
+    const Status s = write_page((area.y + y) / page_rows, {area.x, area.y + y, area.width, rows},
+                                pixels.subspan(first), stride);
+    if (!s.ok()) return s;
+  }
+  return {};
+}
+
+Status Ssd1306::write_page(int page, const Rect& area, std::span<const std::uint8_t> pixels,
+                           int stride) noexcept {
+  if (const Status s = set_position(page, area.x); !s.ok()) return s;
+  constexpr int chunk = 16;
+  for (int x = 0; x < area.width; x += chunk) {
+    const int columns = area.width - x < chunk ? area.width - x : chunk;
+    std::array<std::uint8_t, chunk> turned{};
+    for (int column = 0; column < columns; ++column) {
+      const auto byte = static_cast<std::size_t>((x + column) / 8);
+      const unsigned shift = 7U - static_cast<unsigned>((x + column) % 8);
+      unsigned bits = 0;
+      for (int row = 0; row < area.height; ++row) {
+        const auto first = static_cast<std::size_t>(row) * static_cast<std::size_t>(stride);
+        bits |= (static_cast<unsigned>(pixels[first + byte]) >> shift & 1U) << static_cast<unsigned>(row);
+      }
+      turned[static_cast<std::size_t>(column)] = static_cast<std::uint8_t>(bits);
+    }
+    const auto count = static_cast<std::size_t>(columns);
+    if (const Status s = port_->data(std::span(turned).first(count)); !s.ok()) return s;
+  }
+  return {};
+}
+
+}  // namespace hal::panels

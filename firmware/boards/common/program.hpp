@@ -2,8 +2,9 @@
 //
 // A program on a board: the endless animation, and the short run that reports digests.
 //
-// A board is a type with static members: `start()` (false: the hardware doesn't come up), `screen()` (what
-// present::run shows frames on), `vblanks()` and `serial()`.
+// A board is a type with `start()` (false: the hardware doesn't come up), `screen()` (what present::run shows
+// frames on), `vblanks()` and, static, `serial()`. It lives on main's stack, for there are no constructors of
+// static objects.
 #pragma once
 
 #include <hal/baremetal/core.hpp>
@@ -26,8 +27,9 @@ inline constexpr std::uint32_t digest_frames = 120;
 /// Shows frame after frame.
 template <template <class> class App, class Board>
 [[noreturn]] void animate() noexcept {
-  if (!Board::start()) report_failure(Board::serial(), {});
-  auto screen = Board::screen();
+  Board board;
+  if (!board.start()) report_failure(Board::serial(), {});
+  auto screen = board.screen();
   App<typename decltype(screen)::Format> app(screen.info());
   // 2^32 frames last two years at 60 a second; then the animation begins anew.
   for (;;) {
@@ -39,15 +41,21 @@ template <template <class> class App, class Board>
 /// Shows `digest_frames` frames and reports the digest of each; the last one stays on display.
 template <template <class> class App, class Board>
 [[noreturn]] void report_digests() noexcept {
-  if (!Board::start()) report_failure(Board::serial(), {});
-  auto screen = Board::screen();
+  Board board;
+  if (!board.start()) report_failure(Board::serial(), {});
+  auto screen = board.screen();
   App<typename decltype(screen)::Format> app(screen.info());
-  const std::uint32_t begin = Board::vblanks();
-  const intaglio::Status s = intaglio::present::run(
-      app, screen, digest_frames,
-      [](std::uint32_t frame, std::uint32_t digest) { report_frame(Board::serial(), frame, digest); });
+  std::array<std::uint16_t, digest_frames> pace{};
+  std::uint32_t before = board.vblanks();
+  const intaglio::Status s =
+      intaglio::present::run(app, screen, digest_frames, [&](std::uint32_t frame, std::uint32_t digest) {
+        const std::uint32_t now = board.vblanks();
+        pace[frame] = static_cast<std::uint16_t>(now - before);
+        before = now;
+        report_frame(Board::serial(), frame, digest);
+      });
   if (!s.ok()) report_failure(Board::serial(), s);
-  report_end(Board::serial(), digest_frames, Board::vblanks() - begin, screen.missed_deadlines());
+  report_end(Board::serial(), pace, screen.missed_deadlines());
   hold();
 }
 

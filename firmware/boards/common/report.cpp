@@ -13,12 +13,19 @@ void report_frame(hal::baremetal::TextOutput& serial, std::uint32_t frame, std::
   serial.text("\n");
 }
 
-void report_end(hal::baremetal::TextOutput& serial, std::uint32_t frames, std::uint32_t vblanks,
+void report_end(hal::baremetal::TextOutput& serial, std::span<const std::uint16_t> vblanks,
                 std::uint32_t missed) noexcept {
-  serial.text("done: ");
-  serial.decimal(frames);
+  std::uint32_t all = 0;
+  serial.text("vblanks");
+  for (const std::uint16_t count : vblanks) {
+    serial.text(" ");
+    serial.decimal(count);
+    all += count;
+  }
+  serial.text("\ndone: ");
+  serial.decimal(static_cast<std::uint32_t>(vblanks.size()));
   serial.text(" frames, ");
-  serial.decimal(vblanks);
+  serial.decimal(all);
   serial.text(" vblanks, ");
   serial.decimal(missed);
   serial.text(" missed\n");

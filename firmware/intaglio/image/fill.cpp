@@ -10,10 +10,14 @@
 namespace intaglio::image {
 namespace {
 
-constexpr std::uint32_t repeat(std::uint8_t value) noexcept { return value * 0x01010101U; }
+[[nodiscard]] unsigned place_in_word(const std::uint8_t* p) noexcept {
+  return static_cast<unsigned>(reinterpret_cast<std::uintptr_t>(p) & 3U);
+}
 
-[[nodiscard]] bool on_word(const std::uint8_t* p) noexcept {
-  return (reinterpret_cast<std::uintptr_t>(p) & 3U) == 0;
+// `p` is a multiple of two.
+void store_pair(std::uint8_t* p, std::uint32_t pattern) noexcept {
+  const auto pair = static_cast<std::uint16_t>(pattern);
+  __builtin_memcpy(__builtin_assume_aligned(p, 2), &pair, sizeof pair);
 }
 
 // `p` is a multiple of four. The built-in copy is one instruction, and no breach of the aliasing rules.
@@ -27,118 +31,133 @@ void store_word(std::uint8_t* p, std::uint32_t word) noexcept {
   return word;
 }
 
-// Stores the whole blocks of 32 bytes in `count`, from a multiple of four on; moves `first` behind them and
-// leaves the rest in the low five bits of `count`. Precondition: count >= 32.
+// Stores `count` >= 0 bytes from a multiple of four on.
 #if defined(__arm__)
-// Compilers don't make a store-multiple of this by themselves, and it is worth a factor of four.
-void fill_blocks(std::uint8_t*& first, int& count, std::uint32_t word) noexcept {
-  register std::uint32_t a asm("r3") = word;
-  register std::uint32_t b asm("r4") = word;
-  register std::uint32_t c asm("r5") = word;
-  register std::uint32_t d asm("r6") = word;
+// Compilers don't make store-multiples of this by themselves, and they are worth a factor of four. Blocks of
+// 32 bytes, then the rest by the bits of its length, two at a time: a shift to the left by 28 puts bit 4 into
+// the carry and bit 3 into the sign.
+void fill_from_word(std::uint8_t* first, int count, std::uint32_t pattern) noexcept {
+  register std::uint32_t a asm("r3") = pattern;
+  register std::uint32_t b asm("r4") = pattern;
+  register std::uint32_t c asm("r5") = pattern;
+  register std::uint32_t d asm("r6") = pattern;
+  int bits = 0;
   asm volatile(
       ".syntax unified\n\t"
-      "subs %1, #32\n"
+      "subs %[count], #32\n\t"
+      "blo 2f\n"
       "1:\n\t"
-      "stmia %0!, {r3, r4, r5, r6}\n\t"
-      "stmia %0!, {r3, r4, r5, r6}\n\t"
-      "subs %1, #32\n\t"
-      "bpl 1b"
-      : "+l"(first), "+l"(count)
+      "stmia %[first]!, {r3, r4, r5, r6}\n\t"
+      "stmia %[first]!, {r3, r4, r5, r6}\n\t"
+      "subs %[count], #32\n\t"
+      "bhs 1b\n"
+      "2:\n\t"
+      "lsls %[bits], %[count], #28\n\t"
+      "bcc 3f\n\t"
+      "stmia %[first]!, {r3, r4, r5, r6}\n"
+      "3:\n\t"
+      "bpl 4f\n\t"
+      "stmia %[first]!, {r3, r4}\n"
+      "4:\n\t"
+      "lsls %[bits], %[count], #30\n\t"
+      "bcc 5f\n\t"
+      "stmia %[first]!, {r3}\n"
+      "5:\n\t"
+      "bpl 6f\n\t"
+      "strh r3, [%[first]]\n\t"
+      "adds %[first], #2\n"
+      "6:\n\t"
+      "lsls %[bits], %[count], #31\n\t"
+      "beq 7f\n\t"
+      "strb r3, [%[first]]\n"
+      "7:"
+      : [first] "+l"(first), [count] "+l"(count), [bits] "=&l"(bits)
       : "r"(a), "r"(b), "r"(c), "r"(d)
       : "memory", "cc");
 }
 #else
-void fill_blocks(std::uint8_t*& first, int& count, std::uint32_t word) noexcept {
-  for (; count >= 32; count -= 32)
-    for (const std::uint8_t* const end = first + 32; first != end; first += 4) store_word(first, word);
+void fill_from_word(std::uint8_t* first, int count, std::uint32_t pattern) noexcept {
+  for (; count >= 16; count -= 16)
+    for (const std::uint8_t* const end = first + 16; first != end; first += 4) store_word(first, pattern);
+  for (; count >= 4; count -= 4, first += 4) store_word(first, pattern);
+  for (; count > 0; --count) *first++ = static_cast<std::uint8_t>(pattern);
 }
 #endif
 
 template <class Ink>
-void masked_run(const MaskedRun& run, std::uint8_t value) noexcept {
+void masked_run(const MaskedRun& run, std::uint32_t pattern) noexcept {
   if (run.length == 0) {
-    Ink::put(*run.first, run.head & run.tail, value);
+    Ink::put(*run.first, run.head & run.tail, pattern);
     return;
   }
-  Ink::put(*run.first, run.head, value);
-  Ink::run(run.first + 1, run.length - 1, value);
-  if (run.tail != 0) Ink::put(run.first[run.length], run.tail, value);
+  Ink::put(*run.first, run.head, pattern);
+  Ink::run(run.first + 1, run.length - 1, pattern);
+  if (run.tail != 0) Ink::put(run.first[run.length], run.tail, pattern);
 }
 
 template <class Ink>
-void byte_rows(std::uint8_t* first, int count, int rows, int stride, std::uint8_t value) noexcept {
+void byte_rows(std::uint8_t* first, int count, int rows, int stride, std::uint32_t pattern) noexcept {
   if (count == stride) {
-    Ink::run(first, count * rows, value);
+    Ink::run(first, count * rows, pattern);
     return;
   }
-  for (; rows > 0; --rows, first += stride) Ink::run(first, count, value);
+  for (; rows > 0; --rows, first += stride) Ink::run(first, count, pattern);
 }
 
 template <class Ink>
-void masked_rows(MaskedRun run, int rows, int stride, std::uint8_t value) noexcept {
+void masked_rows(MaskedRun run, int rows, int stride, std::uint32_t pattern) noexcept {
   if (run.head == 255 && run.tail == 0) {
-    byte_rows<Ink>(run.first, run.length, rows, stride, value);
+    byte_rows<Ink>(run.first, run.length, rows, stride, pattern);
     return;
   }
-  for (; rows > 0; --rows, run.first += stride) masked_run<Ink>(run, value);
+  for (; rows > 0; --rows, run.first += stride) masked_run<Ink>(run, pattern);
 }
 
 }  // namespace
 
-void fill_bytes(std::uint8_t* first, int count, std::uint8_t value) noexcept {
-  if (count <= 0) return;
-  while (!on_word(first)) {
-    *first++ = value;
-    if (--count == 0) return;
+void fill_bytes(std::uint8_t* first, int count, std::uint32_t pattern) noexcept {
+  const unsigned misplaced = place_in_word(first);
+  if (misplaced != 0) {
+    const auto byte = static_cast<std::uint8_t>(pattern);
+    if (count < 4) {
+      for (; count > 0; --count) *first++ = byte;
+      return;
+    }
+    if ((misplaced & 1U) != 0) {
+      *first++ = byte;
+      --count;
+    }
+    // 1, now 2, and 2 lack a pair of bytes to the next word; 3, now 0, doesn't.
+    if (misplaced != 3) {
+      store_pair(first, pattern);
+      first += 2;
+      count -= 2;
+    }
   }
-  const std::uint32_t word = repeat(value);
-  if (count >= 32) fill_blocks(first, count, word);
-  const auto rest = static_cast<unsigned>(count);
-  if ((rest & 16U) != 0) {
-    for (int i = 0; i < 16; i += 4) store_word(first + i, word);
-    first += 16;
-  }
-  if ((rest & 8U) != 0) {
-    for (int i = 0; i < 8; i += 4) store_word(first + i, word);
-    first += 8;
-  }
-  if ((rest & 4U) != 0) {
-    store_word(first, word);
-    first += 4;
-  }
-  if ((rest & 2U) != 0) {
-    first[0] = value;
-    first[1] = value;
-    first += 2;
-  }
-  if ((rest & 1U) != 0) *first = value;
+  fill_from_word(first, count, pattern);
 }
 
-void flip_bytes(std::uint8_t* first, int count, std::uint8_t value) noexcept {
-  for (; count > 0 && !on_word(first); --count) *first++ ^= value;
-  const std::uint32_t word = repeat(value);
-  for (; count >= 4; count -= 4) {
-    store_word(first, load_word(first) ^ word);
-    first += 4;
-  }
-  for (; count > 0; --count) *first++ ^= value;
+void flip_bytes(std::uint8_t* first, int count, std::uint32_t pattern) noexcept {
+  const auto byte = static_cast<std::uint8_t>(pattern);
+  for (; count > 0 && place_in_word(first) != 0; --count) *first++ ^= byte;
+  for (; count >= 4; count -= 4, first += 4) store_word(first, load_word(first) ^ pattern);
+  for (; count > 0; --count) *first++ ^= byte;
 }
 
-void Replace::run(const MaskedRun& run, std::uint8_t value) noexcept { masked_run<Replace>(run, value); }
-void Replace::rows(std::uint8_t* first, int count, int rows, int stride, std::uint8_t value) noexcept {
-  byte_rows<Replace>(first, count, rows, stride, value);
+void Replace::run(const MaskedRun& run, std::uint32_t pattern) noexcept { masked_run<Replace>(run, pattern); }
+void Replace::rows(std::uint8_t* first, int count, int rows, int stride, std::uint32_t pattern) noexcept {
+  byte_rows<Replace>(first, count, rows, stride, pattern);
 }
-void Replace::rows(const MaskedRun& run, int rows, int stride, std::uint8_t value) noexcept {
-  masked_rows<Replace>(run, rows, stride, value);
+void Replace::rows(const MaskedRun& run, int rows, int stride, std::uint32_t pattern) noexcept {
+  masked_rows<Replace>(run, rows, stride, pattern);
 }
 
-void Flip::run(const MaskedRun& run, std::uint8_t value) noexcept { masked_run<Flip>(run, value); }
-void Flip::rows(std::uint8_t* first, int count, int rows, int stride, std::uint8_t value) noexcept {
-  byte_rows<Flip>(first, count, rows, stride, value);
+void Flip::run(const MaskedRun& run, std::uint32_t pattern) noexcept { masked_run<Flip>(run, pattern); }
+void Flip::rows(std::uint8_t* first, int count, int rows, int stride, std::uint32_t pattern) noexcept {
+  byte_rows<Flip>(first, count, rows, stride, pattern);
 }
-void Flip::rows(const MaskedRun& run, int rows, int stride, std::uint8_t value) noexcept {
-  masked_rows<Flip>(run, rows, stride, value);
+void Flip::rows(const MaskedRun& run, int rows, int stride, std::uint32_t pattern) noexcept {
+  masked_rows<Flip>(run, rows, stride, pattern);
 }
 
 }  // namespace intaglio::image

@@ -59,6 +59,14 @@ constexpr void clipped_column(S& sink, int x, int y, int height) {
 /// Draws the pixels (start.x .. start.x+width-1, start.y). Errors: out_of_domain point, width (above 2^21).
 template <SpanSink S>
 constexpr Status draw_horizontal(S&& sink, linear::Point start, int width) {
+  // Inside the clip, and so inside the domain: nothing to cut and nothing else to check.
+  const linear::Rect& clip = sink.clip();
+  const unsigned column = static_cast<unsigned>(start.x) - static_cast<unsigned>(clip.x);
+  const auto columns = static_cast<unsigned>(clip.width);
+  if (in_clip(clip, start) && static_cast<unsigned>(width) - 1U < columns - column) {
+    sink.span(start.y, start.x, start.x + width);
+    return {};
+  }
   if (!linear::in_domain(start)) return {Error::out_of_domain, Argument::point};
   if (!detail::length_in_domain(width)) return {Error::out_of_domain, Argument::width};
   detail::clipped_row(sink, start.x, start.y, width);

@@ -24,13 +24,13 @@ namespace detail {
 template <image::PixelFormat F, class Ink>
 class FlatCursor {
  public:
-  constexpr FlatCursor(const image::Surface<F>& surface, int x, int y, unsigned value) noexcept
+  constexpr FlatCursor(const image::Surface<F>& surface, int x, int y, std::uint32_t pattern) noexcept
       : byte_(surface.byte_at(x, y)),
         stride_(surface.stride()),
         mask_(F::max_index << surface.shift_at(x)),
-        value_(value) {}
+        pattern_(pattern) {}
 
-  constexpr void put() const noexcept { Ink::put(*byte_, mask_, value_); }
+  constexpr void put() const noexcept { Ink::put(*byte_, mask_, pattern_); }
   constexpr void up() noexcept { byte_ -= stride_; }
   constexpr void down() noexcept { byte_ += stride_; }
   constexpr void right() noexcept {
@@ -57,17 +57,17 @@ class FlatCursor {
   std::uint8_t* byte_;
   int stride_;
   unsigned mask_;
-  unsigned value_;
+  std::uint32_t pattern_;
 };
 
 /// A place on a surface of 8 bits a pixel: an address.
 template <image::PixelFormat F, class Ink>
 requires(F::bits == 8) class FlatCursor<F, Ink> {
  public:
-  constexpr FlatCursor(const image::Surface<F>& surface, int x, int y, unsigned value) noexcept
-      : byte_(surface.byte_at(x, y)), stride_(surface.stride()), value_(value) {}
+  constexpr FlatCursor(const image::Surface<F>& surface, int x, int y, std::uint32_t pattern) noexcept
+      : byte_(surface.byte_at(x, y)), stride_(surface.stride()), pattern_(pattern) {}
 
-  constexpr void put() const noexcept { Ink::put(*byte_, value_); }
+  constexpr void put() const noexcept { Ink::put(*byte_, pattern_); }
   constexpr void up() noexcept { byte_ -= stride_; }
   constexpr void down() noexcept { byte_ += stride_; }
   constexpr void right() noexcept { ++byte_; }
@@ -76,7 +76,7 @@ requires(F::bits == 8) class FlatCursor<F, Ink> {
  private:
   std::uint8_t* byte_;
   int stride_;
-  unsigned value_;
+  std::uint32_t pattern_;
 };
 
 /// One index, written to a surface by an `Ink`.
@@ -89,9 +89,9 @@ class FlatSink {
   constexpr FlatSink(const image::Surface<F>& surface, unsigned index, const linear::Rect& clip) noexcept
       : surface_(surface),
         clip_(linear::in_domain(clip) ? linear::intersect(surface.bounds(), clip) : linear::Rect{}),
-        value_(F::replicate(index)) {}
+        pattern_(image::pattern_of(F::replicate(index))) {}
   constexpr FlatSink(const image::Surface<F>& surface, unsigned index) noexcept
-      : surface_(surface), clip_(surface.bounds()), value_(F::replicate(index)) {}
+      : surface_(surface), clip_(surface.bounds()), pattern_(image::pattern_of(F::replicate(index))) {}
 
   /// Where the sink can draw, in the surface's coordinates.
   [[nodiscard]] constexpr const linear::Rect& clip() const noexcept { return clip_; }
@@ -100,21 +100,21 @@ class FlatSink {
   /// Writes the pixels x_begin .. x_end-1 of row y. Precondition: they are inside the clip; x_begin < x_end.
   void span(int y, int x_begin, int x_end) const noexcept {
     if constexpr (F::bits == 8)
-      Ink::run(surface_.byte_at(x_begin, y), x_end - x_begin, value_);
+      Ink::run(surface_.byte_at(x_begin, y), x_end - x_begin, pattern_);
     else
-      Ink::run(masked(y, x_begin, x_end), value_);
+      Ink::run(masked(y, x_begin, x_end), pattern_);
   }
 
   /// Writes a rectangle. Precondition: it is inside the clip and holds a pixel.
   void block(const linear::Rect& r) const noexcept {
     if constexpr (F::bits == 8)
-      Ink::rows(surface_.byte_at(r.x, r.y), r.width, r.height, surface_.stride(), value_);
+      Ink::rows(surface_.byte_at(r.x, r.y), r.width, r.height, surface_.stride(), pattern_);
     else
-      Ink::rows(masked(r.y, r.x, r.right()), r.height, surface_.stride(), value_);
+      Ink::rows(masked(r.y, r.x, r.right()), r.height, surface_.stride(), pattern_);
   }
 
   /// Stands on a pixel inside the clip.
-  [[nodiscard]] constexpr Cursor cursor(int x, int y) const noexcept { return {surface_, x, y, value_}; }
+  [[nodiscard]] constexpr Cursor cursor(int x, int y) const noexcept { return {surface_, x, y, pattern_}; }
 
  private:
   [[nodiscard]] image::MaskedRun masked(int y, int x_begin, int x_end) const noexcept {
@@ -127,7 +127,7 @@ class FlatSink {
 
   image::Surface<F> surface_;
   linear::Rect clip_;
-  std::uint8_t value_;
+  std::uint32_t pattern_;
 };
 
 }  // namespace detail

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+//
+// What drawing costs: each primitive through its public, clipped call, counted in instructions.
+//
+// Rule: a row is one call on a 320x240 surface of 8 bits a pixel. Its arguments are opaque to the compiler,
+// its status is used, and the sink exists before (it is the caller's pen). Counted is all from the call to
+// the return, less what an empty row costs. Pixels are counted afterwards in the buffer, not taken on trust.
+// Output, one line a row: `row NAME;PIXELS;INSTRUCTIONS`. tests/target/speed reads it.
+#include <intaglio/raster/line.hpp>
+#include <intaglio/raster/pixel.hpp>
+#include <intaglio/raster/rectangle.hpp>
+#include <intaglio/raster/solid.hpp>
+#include <intaglio/text/draw_text.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <firmware/boards/common/semihosting.hpp>
+#include <firmware/boards/mps2/count/instructions.hpp>
+#include <intaglio_fonts/fixed_6x13.hpp>
+
+namespace {
+
+using namespace intaglio;
+using linear::Point;
+using linear::Rect;
+using Format = image::Indexed8;
+using Pen = raster::Solid<Format>;
+
+constexpr linear::Size screen{320, 240};
+alignas(4) constinit std::uint8_t pixels[static_cast<std::size_t>(screen.width) * screen.height];
+
+// A value that the compiler knows nothing about.
+int opaque(int value) noexcept {
+  asm volatile("" : "+r"(value));
+  return value;
+}
+
+void use(Status status) noexcept { asm volatile("" : : "r"(status)); }
+
+struct Row {
+  const char* name;
+  void (*draw)(const Pen& pen);
+};
+
+// A primitive is counted by a line here, and its limit stands in tests/target/speed.
+constexpr Row rows[] = {
+    {"pixel",
+     [](const Pen& pen) {
+       use(raster::draw_pixel(pen, {opaque(100), opaque(77)}));
+     }},
+    {"span 64",
+     [](const Pen& pen) {
+       use(raster::draw_horizontal(pen, {opaque(100), opaque(77)}, opaque(64)));
+     }},
+    {"span 320",
+     [](const Pen& pen) {
+       use(raster::draw_horizontal(pen, {opaque(0), opaque(77)}, opaque(320)));
+     }},
+    {"span 64 odd",
+     [](const Pen& pen) {
+       use(raster::draw_horizontal(pen, {opaque(101), opaque(77)}, opaque(64)));
+     }},
+    {"column 64",
+     [](const Pen& pen) {
+       use(raster::draw_vertical(pen, {opaque(100), opaque(77)}, opaque(64)));
+     }},
+    {"clear 320x240",
+     [](const Pen& pen) {
+       use(raster::fill_rect(pen, {opaque(0), opaque(0), opaque(320), opaque(240)}));
+     }},
+    {"fill_rect 100x60",
+     [](const Pen& pen) {
+       use(raster::fill_rect(pen, {opaque(101), opaque(77), opaque(100), opaque(60)}));
+     }},
+    {"draw_rect 100x60",
+     [](const Pen& pen) {
+       use(raster::draw_rect(pen, {opaque(101), opaque(77), opaque(100), opaque(60)}));
+     }},
+    {"line (0,0)-(319,100)",
+     [](const Pen& pen) {
+       use(raster::draw_line(pen, {opaque(0), opaque(0)}, {opaque(319), opaque(100)}));
+     }},
+    {"line (10,10)-(60,200)",
+     [](const Pen& pen) {
+       use(raster::draw_line(pen, {opaque(10), opaque(10)}, {opaque(60), opaque(200)}));
+     }},
+    {"text 10 of 6x13",
+     [](const Pen& pen) {
+       use(text::draw_text(pen, fonts::fixed_6x13, {opaque(101), opaque(77)}, "Intaglio2D"));
+     }},
+    {"line clipped",
+     [](const Pen& pen) {
+       use(raster::draw_line(pen, {opaque(-30000), opaque(-20000)}, {opaque(30500), opaque(20300)}));
+     }},
+};
+
+}  // namespace
+
+int main() {
+  namespace semihosting = boards::semihosting;
+  const auto surface = image::Surface<Format>::over(pixels, screen);
+  if (!surface.ok()) semihosting::exit(1);
+  Pen pen(surface.value(), 1);
+  asm volatile("" : : "r"(&pen) : "memory");
+  const boards::mps2::InstructionCounter counter;
+  void (*volatile nothing)(const Pen&) = [](const Pen&) {};
+  auto* const empty = nothing;
+  const std::uint32_t overhead = counter.measure([&] { empty(pen); });
+  for (const Row& row : rows) {
+    for (std::uint8_t& pixel : pixels) pixel = 0;
+    auto* const draw = row.draw;
+    const std::uint32_t instructions = counter.measure([&] { draw(pen); }) - overhead;
+    std::uint32_t drawn = 0;
+    for (const std::uint8_t pixel : pixels) drawn += pixel;
+    semihosting::write("row ");
+    semihosting::write(row.name);
+    semihosting::write(";");
+    semihosting::write(drawn);
+    semihosting::write(";");
+    semihosting::write(instructions);
+    semihosting::write("\n");
+  }
+  semihosting::exit(0);
+}

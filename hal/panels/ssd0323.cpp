@@ -56,42 +56,26 @@ Ssd0323::Ssd0323(CommandPort& port, Clock* frame_clock, const Ssd0323Options& op
 
 Status Ssd0323::start() noexcept {
   // The voltages and timings are those the maker of the 128x64 glass gives for it.
-  const auto setup = std::to_array<std::uint8_t>({cmd::display_off,
-                                                  cmd::clock_divide,
-                                                  0x91,
-                                                  cmd::multiplex_ratio,
-                                                  height - 1,
-                                                  cmd::offset,
-                                                  options_.offset,
-                                                  cmd::start_line,
-                                                  0,
-                                                  cmd::master_configuration,
-                                                  0x02,
-                                                  cmd::remap,
-                                                  remap_bits,
-                                                  cmd::full_current,
-                                                  cmd::grey_table,
-                                                  0x01,
-                                                  0x11,
-                                                  0x22,
-                                                  0x32,
-                                                  0x43,
-                                                  0x54,
-                                                  0x65,
-                                                  0x76,
-                                                  cmd::contrast,
-                                                  options_.contrast,
-                                                  cmd::row_period,
-                                                  0x51,
-                                                  cmd::phase_length,
-                                                  0x55,
-                                                  cmd::precharge_voltage,
-                                                  0x10,
-                                                  cmd::vcomh,
-                                                  0x1C,
-                                                  cmd::segment_low_voltage,
-                                                  0x0F,
-                                                  cmd::normal_display});
+  // clang-format off
+  const auto setup = std::to_array<std::uint8_t>({
+      cmd::display_off,
+      cmd::clock_divide, 0x91,
+      cmd::multiplex_ratio, height - 1,
+      cmd::offset, options_.offset,
+      cmd::start_line, 0,
+      cmd::master_configuration, 0x02,
+      cmd::remap, remap_bits,
+      cmd::full_current,
+      cmd::grey_table, 0x01, 0x11, 0x22, 0x32, 0x43, 0x54, 0x65, 0x76,
+      cmd::contrast, options_.contrast,
+      cmd::row_period, 0x51,
+      cmd::phase_length, 0x55,
+      cmd::precharge_voltage, 0x10,
+      cmd::vcomh, 0x1C,
+      cmd::segment_low_voltage, 0x0F,
+      cmd::normal_display,
+  });
+  // clang-format on
   if (const Status s = port_->command(setup); !s.ok()) return s;
   // The memory holds noise; it is cleared before anyone sees it.
   if (const Status s = set_window({0, 0, width, height}); !s.ok()) return s;

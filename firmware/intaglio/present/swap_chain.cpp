@@ -5,15 +5,14 @@ namespace intaglio::present {
 
 Result<int> SwapControl::acquire(bool wait) noexcept {
   const int buffers = panel_->capabilities().buffers;
+  // With three buffers or more one is neither on display nor waiting for it.
   if (buffers <= 2) {
-    if (!wait) {
-      if (panel_->show_pending()) return Status{Error::busy, Argument::frame};
-    } else if (buffers == 1) {
-      if (const hal::Status s = panel_->wait_for_vblank(); !s.ok()) return to_status(s);
-    } else if (const Status s = settle(); !s.ok()) {
-      return s;
-    }
+    if (!wait && panel_->show_pending()) return Status{Error::busy, Argument::frame};
+    if (const Status s = settle(); !s.ok()) return s;
   }
+  if (buffers == 1 && wait && !at_vblank_of_settling())
+    if (const hal::Status s = panel_->wait_for_vblank(); !s.ok()) return to_status(s);
+  settled_here_ = false;
   acquired_ = shown_ + 1 < buffers ? shown_ + 1 : 0;
   return acquired_;
 }
@@ -28,8 +27,11 @@ Status SwapControl::release(std::span<const std::uint8_t> palette) noexcept {
 }
 
 Status SwapControl::settle() noexcept {
-  while (panel_->show_pending())
+  while (panel_->show_pending()) {
     if (const hal::Status s = panel_->wait_for_vblank(); !s.ok()) return to_status(s);
+    settled_here_ = true;
+    settled_at_ = panel_->vblank_count();
+  }
   return {};
 }
 

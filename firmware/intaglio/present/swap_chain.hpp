@@ -35,8 +35,15 @@ class SwapControl {
   /// The VBLANK at which the request just made takes effect.
   [[nodiscard]] std::uint32_t vblank_of_request() noexcept;
 
+  /// True if the last wait for a frame to be shown ended with the latest VBLANK.
+  [[nodiscard]] bool at_vblank_of_settling() noexcept {
+    return settled_here_ && panel_->vblank_count() == settled_at_;
+  }
+
   hal::Panel* panel_;
   Pacer pacer_;
+  std::uint32_t settled_at_ = 0;
+  bool settled_here_ = false;
   int shown_ = 0;  // The buffer last asked for; a panel starts with buffer 0 on display.
   int acquired_ = 0;
 };

@@ -9,6 +9,7 @@
 #include <host/assets/commands.hpp>
 #include <host/assets/table.hpp>
 #include <host/failure.hpp>
+#include <host/file.hpp>
 #include <intaglio/text/font.hpp>
 
 #include <fmt/format.h>

@@ -3,10 +3,9 @@
 // intaglio-assets: fonts, images and polygons as C++ tables for freestanding programs.
 #include <host/assets/commands.hpp>
 #include <host/assets/table.hpp>
-#include <host/failure.hpp>
+#include <host/file.hpp>
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
 
 #include <cstdio>
 #include <exception>
@@ -30,12 +29,10 @@ template <class Options>
 void compile(const Options& options, const std::string& output, std::string (*make)(const Options&)) {
   host::assets::check_identifier("--name", options.heading.name);
   host::assets::check_identifier("--namespace", options.heading.name_space, true);
-  host::assets::write_file(output, make(options));
+  host::write_file(output, make(options));
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run(int argc, char** argv) {
   CLI::App app{
       "Compiles fonts, images and polygons to C++ tables that need no run-time library.\n"
       "Whatever is wrong with the input is said on stderr, nothing is written, and the exit code is 1."};
@@ -93,11 +90,19 @@ int main(int argc, char** argv) {
   }
   image.lsb_first = order == "lsb";
   polygons.y_down = !y_up;
+  if (font_command.parsed()) compile(font, output, host::assets::font_header);
+  if (image_command.parsed()) compile(image, output, host::assets::image_header);
+  if (polygon_command.parsed()) compile(polygons, output, host::assets::polygon_header);
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
   try {
-    if (font_command.parsed()) compile(font, output, host::assets::font_header);
-    return 0;
+    return run(argc, argv);
   } catch (const std::exception& error) {
-    fmt::print(stderr, "intaglio-assets: {}\n", error.what());
+    std::fprintf(stderr, "intaglio-assets: %s\n", error.what());
     return 1;
   }
 }

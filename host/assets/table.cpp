@@ -5,13 +5,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <sstream>
-#include <system_error>
 
 namespace host::assets {
 namespace {
@@ -68,37 +63,6 @@ void check_identifier(std::string_view option, std::string_view name, bool neste
     rest.remove_prefix(colons + 2);
   }
   if (!good || !is_word(rest)) throw Failure(fmt::format("{} '{}' is not a C++ name", option, name));
-}
-
-std::string read_file(const std::string& path) {
-  if (std::error_code error; std::filesystem::is_directory(path, error))
-    throw Failure(fmt::format("{}: is a directory", path));
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw Failure(fmt::format("{}: {}", path, std::strerror(errno)));
-  std::ostringstream content;
-  content << file.rdbuf();
-  if (file.bad()) throw Failure(fmt::format("{}: can't be read", path));
-  return content.str();
-}
-
-void write_file(const std::string& path, const std::string& content) {
-  const std::string partial = path + ".part";
-  {
-    std::ofstream file(partial, std::ios::binary | std::ios::trunc);
-    if (!file) throw Failure(fmt::format("{}: {}", path, std::strerror(errno)));
-    file << content;
-    file.close();
-    if (!file) {
-      std::filesystem::remove(partial);
-      throw Failure(fmt::format("{}: writing failed", path));
-    }
-  }
-  std::error_code error;
-  std::filesystem::rename(partial, path, error);
-  if (error) {
-    std::filesystem::remove(partial);
-    throw Failure(fmt::format("{}: {}", path, error.message()));
-  }
 }
 
 std::string file_name(const std::string& path) { return std::filesystem::path(path).filename().string(); }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Writing C++ tables: the head comment, arrays of numbers, and the file itself.
+// Writing C++ tables: the head comment, arrays of numbers.
 #pragma once
 
 #include <host/assets/commands.hpp>
@@ -20,12 +20,6 @@ std::string array(std::string_view type, std::string_view name, std::size_t coun
 
 /// Throws Failure unless `name` can be the name of a variable, or, with `nested`, of a namespace (`a::b`).
 void check_identifier(std::string_view option, std::string_view name, bool nested = false);
-
-/// Throws Failure if the file can't be read at all; gives its bytes.
-std::string read_file(const std::string& path);
-
-/// Writes through a temporary file, so that `path` is whole or untouched.
-void write_file(const std::string& path, const std::string& content);
 
 /// The last part of a path, which is what a header that must not depend on the machine may name.
 std::string file_name(const std::string& path);

@@ -65,7 +65,7 @@ class Font {
     if (tables.glyphs.empty() || tables.glyphs.size() > 65535)
       return Status{Error::malformed, Argument::glyph};
     for (const Glyph& glyph : tables.glyphs) {
-      const auto bytes = static_cast<std::size_t>(glyph.row_bytes() * glyph.height);
+      const std::size_t bytes = static_cast<unsigned>(glyph.row_bytes()) * glyph.height;
       if (glyph.offset + bytes > tables.rows.size()) return Status{Error::malformed, Argument::glyph};
     }
     std::uint32_t free = 0;  // the first code point that no range so far has

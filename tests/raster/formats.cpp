@@ -30,13 +30,11 @@ class Canvas {
   void use(unsigned index) { index_ = index; }
   void span(int y, int begin, int end) {
     for (int x = begin; x < end; ++x) {
-      unsigned& pixel = pixels_.at(static_cast<std::size_t>(y * width + x));
+      unsigned& pixel = pixels_.at(static_cast<unsigned>(y * width + x));
       pixel = flip_ ? pixel ^ index_ : index_;
     }
   }
-  [[nodiscard]] unsigned get(int x, int y) const {
-    return pixels_.at(static_cast<std::size_t>(y * width + x));
-  }
+  [[nodiscard]] unsigned get(int x, int y) const { return pixels_.at(static_cast<unsigned>(y * width + x)); }
 
  private:
   Rect clip_;

@@ -15,8 +15,8 @@ namespace {
 }
 
 // `p` is a multiple of two.
-void store_pair(std::uint8_t* p, std::uint32_t pattern) noexcept {
-  const auto pair = static_cast<std::uint16_t>(pattern);
+void store_pair(std::uint8_t* p, Pattern pattern) noexcept {
+  const auto pair = static_cast<std::uint16_t>(pattern.word());
   __builtin_memcpy(__builtin_assume_aligned(p, 2), &pair, sizeof pair);
 }
 
@@ -36,11 +36,11 @@ void store_word(std::uint8_t* p, std::uint32_t word) noexcept {
 // Compilers don't make store-multiples of this by themselves, and they are worth a factor of four. Blocks of
 // 32 bytes, then the rest by the bits of its length, two at a time: a shift to the left by 28 puts bit 4 into
 // the carry and bit 3 into the sign.
-void fill_from_word(std::uint8_t* first, int count, std::uint32_t pattern) noexcept {
-  register std::uint32_t a asm("r3") = pattern;
-  register std::uint32_t b asm("r4") = pattern;
-  register std::uint32_t c asm("r5") = pattern;
-  register std::uint32_t d asm("r6") = pattern;
+void fill_from_word(std::uint8_t* first, int count, Pattern pattern) noexcept {
+  register std::uint32_t a asm("r3") = pattern.word();
+  register std::uint32_t b asm("r4") = pattern.word();
+  register std::uint32_t c asm("r5") = pattern.word();
+  register std::uint32_t d asm("r6") = pattern.word();
   int bits = 0;
   asm volatile(
       ".syntax unified\n\t"
@@ -76,16 +76,17 @@ void fill_from_word(std::uint8_t* first, int count, std::uint32_t pattern) noexc
       : "memory", "cc");
 }
 #else
-void fill_from_word(std::uint8_t* first, int count, std::uint32_t pattern) noexcept {
+void fill_from_word(std::uint8_t* first, int count, Pattern pattern) noexcept {
   for (; count >= 16; count -= 16)
-    for (const std::uint8_t* const end = first + 16; first != end; first += 4) store_word(first, pattern);
-  for (; count >= 4; count -= 4, first += 4) store_word(first, pattern);
-  for (; count > 0; --count) *first++ = static_cast<std::uint8_t>(pattern);
+    for (const std::uint8_t* const end = first + 16; first != end; first += 4)
+      store_word(first, pattern.word());
+  for (; count >= 4; count -= 4, first += 4) store_word(first, pattern.word());
+  for (; count > 0; --count) *first++ = pattern.byte();
 }
 #endif
 
 template <class Ink>
-void masked_run(const MaskedRun& run, std::uint32_t pattern) noexcept {
+void masked_run(const MaskedRun& run, Pattern pattern) noexcept {
   if (run.length == 0) {
     Ink::put(*run.first, run.head & run.tail, pattern);
     return;
@@ -96,7 +97,7 @@ void masked_run(const MaskedRun& run, std::uint32_t pattern) noexcept {
 }
 
 template <class Ink>
-void byte_rows(std::uint8_t* first, int count, int rows, int stride, std::uint32_t pattern) noexcept {
+void byte_rows(std::uint8_t* first, int count, int rows, int stride, Pattern pattern) noexcept {
   if (count == stride) {
     Ink::run(first, count * rows, pattern);
     return;
@@ -105,7 +106,7 @@ void byte_rows(std::uint8_t* first, int count, int rows, int stride, std::uint32
 }
 
 template <class Ink>
-void masked_rows(MaskedRun run, int rows, int stride, std::uint32_t pattern) noexcept {
+void masked_rows(MaskedRun run, int rows, int stride, Pattern pattern) noexcept {
   if (run.head == 255 && run.tail == 0) {
     byte_rows<Ink>(run.first, run.length, rows, stride, pattern);
     return;
@@ -115,10 +116,10 @@ void masked_rows(MaskedRun run, int rows, int stride, std::uint32_t pattern) noe
 
 }  // namespace
 
-void fill_bytes(std::uint8_t* first, int count, std::uint32_t pattern) noexcept {
+void fill_bytes(std::uint8_t* first, int count, Pattern pattern) noexcept {
   const unsigned misplaced = place_in_word(first);
   if (misplaced != 0) {
-    const auto byte = static_cast<std::uint8_t>(pattern);
+    const auto byte = pattern.byte();
     if (count < 4) {
       for (; count > 0; --count) *first++ = byte;
       return;
@@ -137,26 +138,26 @@ void fill_bytes(std::uint8_t* first, int count, std::uint32_t pattern) noexcept 
   fill_from_word(first, count, pattern);
 }
 
-void flip_bytes(std::uint8_t* first, int count, std::uint32_t pattern) noexcept {
-  const auto byte = static_cast<std::uint8_t>(pattern);
+void flip_bytes(std::uint8_t* first, int count, Pattern pattern) noexcept {
+  const auto byte = pattern.byte();
   for (; count > 0 && place_in_word(first) != 0; --count) *first++ ^= byte;
-  for (; count >= 4; count -= 4, first += 4) store_word(first, load_word(first) ^ pattern);
+  for (; count >= 4; count -= 4, first += 4) store_word(first, load_word(first) ^ pattern.word());
   for (; count > 0; --count) *first++ ^= byte;
 }
 
-void Replace::run(const MaskedRun& run, std::uint32_t pattern) noexcept { masked_run<Replace>(run, pattern); }
-void Replace::rows(std::uint8_t* first, int count, int rows, int stride, std::uint32_t pattern) noexcept {
+void Replace::run(const MaskedRun& run, Pattern pattern) noexcept { masked_run<Replace>(run, pattern); }
+void Replace::rows(std::uint8_t* first, int count, int rows, int stride, Pattern pattern) noexcept {
   byte_rows<Replace>(first, count, rows, stride, pattern);
 }
-void Replace::rows(const MaskedRun& run, int rows, int stride, std::uint32_t pattern) noexcept {
+void Replace::rows(const MaskedRun& run, int rows, int stride, Pattern pattern) noexcept {
   masked_rows<Replace>(run, rows, stride, pattern);
 }
 
-void Flip::run(const MaskedRun& run, std::uint32_t pattern) noexcept { masked_run<Flip>(run, pattern); }
-void Flip::rows(std::uint8_t* first, int count, int rows, int stride, std::uint32_t pattern) noexcept {
+void Flip::run(const MaskedRun& run, Pattern pattern) noexcept { masked_run<Flip>(run, pattern); }
+void Flip::rows(std::uint8_t* first, int count, int rows, int stride, Pattern pattern) noexcept {
   byte_rows<Flip>(first, count, rows, stride, pattern);
 }
-void Flip::rows(const MaskedRun& run, int rows, int stride, std::uint32_t pattern) noexcept {
+void Flip::rows(const MaskedRun& run, int rows, int stride, Pattern pattern) noexcept {
   masked_rows<Flip>(run, rows, stride, pattern);
 }
 

@@ -16,13 +16,21 @@
 namespace intaglio::image {
 
 /// A byte four times over: what the functions here take, so that no run has to build it again.
-[[nodiscard]] constexpr std::uint32_t pattern_of(std::uint8_t byte) noexcept { return byte * 0x0101'0101U; }
+class Pattern {
+ public:
+  explicit constexpr Pattern(std::uint8_t byte) noexcept : word_(byte * 0x0101'0101U) {}
+  [[nodiscard]] constexpr std::uint32_t word() const noexcept { return word_; }
+  [[nodiscard]] constexpr std::uint8_t byte() const noexcept { return static_cast<std::uint8_t>(word_); }
+
+ private:
+  std::uint32_t word_;
+};
 
 /// Stores the pattern's byte in `count` >= 0 bytes from `first`.
-void fill_bytes(std::uint8_t* first, int count, std::uint32_t pattern) noexcept;
+void fill_bytes(std::uint8_t* first, int count, Pattern pattern) noexcept;
 
 /// Exclusive-ors the pattern's byte into `count` >= 0 bytes from `first`.
-void flip_bytes(std::uint8_t* first, int count, std::uint32_t pattern) noexcept;
+void flip_bytes(std::uint8_t* first, int count, Pattern pattern) noexcept;
 
 /// A run of whole bytes between two that it may share with its neighbours.
 struct MaskedRun {
@@ -34,37 +42,39 @@ struct MaskedRun {
 
 /// Writes over what was there.
 struct Replace {
-  static void run(std::uint8_t* first, int count, std::uint32_t pattern) noexcept {
+  static void run(std::uint8_t* first, int count, Pattern pattern) noexcept {
     fill_bytes(first, count, pattern);
   }
-  static void run(const MaskedRun& run, std::uint32_t pattern) noexcept;
+  static void run(const MaskedRun& run, Pattern pattern) noexcept;
   /// The same run in `rows` rows, `stride` bytes apart.
-  static void rows(std::uint8_t* first, int count, int rows, int stride, std::uint32_t pattern) noexcept;
-  static void rows(const MaskedRun& run, int rows, int stride, std::uint32_t pattern) noexcept;
+  static void rows(std::uint8_t* first, int count, int rows, int stride, Pattern pattern) noexcept;
+  static void rows(const MaskedRun& run, int rows, int stride, Pattern pattern) noexcept;
   /// Writes the bits of `mask`.
-  static constexpr void put(std::uint8_t& byte, unsigned mask, std::uint32_t pattern) noexcept {
-    byte = static_cast<std::uint8_t>((byte & ~mask) | (pattern & mask));
+  [[gnu::always_inline]] static constexpr void put(std::uint8_t& byte, unsigned mask,
+                                                   Pattern pattern) noexcept {
+    byte = static_cast<std::uint8_t>((byte & ~mask) | (pattern.word() & mask));
   }
-  static constexpr void put(std::uint8_t& byte, std::uint32_t pattern) noexcept {
-    byte = static_cast<std::uint8_t>(pattern);
+  [[gnu::always_inline]] static constexpr void put(std::uint8_t& byte, Pattern pattern) noexcept {
+    byte = pattern.byte();
   }
 };
 
 /// Exclusive-ors with what was there: drawn twice, everything is as before.
 struct Flip {
-  static void run(std::uint8_t* first, int count, std::uint32_t pattern) noexcept {
+  static void run(std::uint8_t* first, int count, Pattern pattern) noexcept {
     flip_bytes(first, count, pattern);
   }
-  static void run(const MaskedRun& run, std::uint32_t pattern) noexcept;
+  static void run(const MaskedRun& run, Pattern pattern) noexcept;
   /// The same run in `rows` rows, `stride` bytes apart.
-  static void rows(std::uint8_t* first, int count, int rows, int stride, std::uint32_t pattern) noexcept;
-  static void rows(const MaskedRun& run, int rows, int stride, std::uint32_t pattern) noexcept;
+  static void rows(std::uint8_t* first, int count, int rows, int stride, Pattern pattern) noexcept;
+  static void rows(const MaskedRun& run, int rows, int stride, Pattern pattern) noexcept;
   /// Changes the bits of `mask`.
-  static constexpr void put(std::uint8_t& byte, unsigned mask, std::uint32_t pattern) noexcept {
-    byte = static_cast<std::uint8_t>(byte ^ (pattern & mask));
+  [[gnu::always_inline]] static constexpr void put(std::uint8_t& byte, unsigned mask,
+                                                   Pattern pattern) noexcept {
+    byte = static_cast<std::uint8_t>(byte ^ (pattern.word() & mask));
   }
-  static constexpr void put(std::uint8_t& byte, std::uint32_t pattern) noexcept {
-    byte = static_cast<std::uint8_t>(byte ^ pattern);
+  [[gnu::always_inline]] static constexpr void put(std::uint8_t& byte, Pattern pattern) noexcept {
+    byte = static_cast<std::uint8_t>(byte ^ pattern.byte());
   }
 };
 

@@ -67,8 +67,8 @@ class PixelView {
   }
 
   /// A picture of the same pixels.
-  [[nodiscard]] constexpr operator PixelView<F, const std::uint8_t>()
-      const noexcept  // NOLINT(google-explicit-constructor)
+  // NOLINTNEXTLINE(google-explicit-constructor): whoever may draw may also read
+  [[nodiscard]] constexpr operator PixelView<F, const std::uint8_t>() const noexcept
       requires(!std::is_const_v<Byte>) {
     return this->template with_bytes<const std::uint8_t>();
   }
@@ -94,7 +94,7 @@ class PixelView {
   [[nodiscard]] constexpr int stride() const noexcept { return stride_; }
 
   /// The byte that holds pixel (x, y). Precondition: (x, y) is in `bounds()`.
-  [[nodiscard]] constexpr Byte* byte_at(int x, int y) const noexcept {
+  [[nodiscard, gnu::always_inline]] constexpr Byte* byte_at(int x, int y) const noexcept {
     return data_ + (y * stride_ + offset_ + (slot_of(x) >> F::byte_shift));
   }
   /// How far left the pixel of column x lies in its byte, in bits. Precondition: x is a column of `bounds()`.

@@ -6,6 +6,9 @@
 // keeps inside the clip can't write outside the buffer, whatever its arguments. Nothing is checked a second
 // time here. Bit budget: columns and rows within 2^21, byte offsets below 2^30 (see `PixelView`).
 //
+// A cursor is always inlined: optimising for size, compilers would call a function of two
+// instructions for each pixel.
+//
 // Cost: a span is an address (5 instructions on Cortex-M3) and a run of bytes (`image/fill.hpp`); a cursor
 // step one instruction at 8 bits a pixel, about four below.
 #pragma once
@@ -24,16 +27,17 @@ namespace detail {
 template <image::PixelFormat F, class Ink>
 class FlatCursor {
  public:
-  constexpr FlatCursor(const image::Surface<F>& surface, int x, int y, std::uint32_t pattern) noexcept
+  [[gnu::always_inline]] constexpr FlatCursor(const image::Surface<F>& surface, int x, int y,
+                                              image::Pattern pattern) noexcept
       : byte_(surface.byte_at(x, y)),
         stride_(surface.stride()),
         mask_(F::max_index << surface.shift_at(x)),
         pattern_(pattern) {}
 
-  constexpr void put() const noexcept { Ink::put(*byte_, mask_, pattern_); }
-  constexpr void up() noexcept { byte_ -= stride_; }
-  constexpr void down() noexcept { byte_ += stride_; }
-  constexpr void right() noexcept {
+  [[gnu::always_inline]] constexpr void put() const noexcept { Ink::put(*byte_, mask_, pattern_); }
+  [[gnu::always_inline]] constexpr void up() noexcept { byte_ -= stride_; }
+  [[gnu::always_inline]] constexpr void down() noexcept { byte_ += stride_; }
+  [[gnu::always_inline]] constexpr void right() noexcept {
     if (mask_ == rightmost) {
       mask_ = leftmost;
       ++byte_;
@@ -41,7 +45,7 @@ class FlatCursor {
       mask_ = F::order == image::BitOrder::lsb_first ? mask_ << F::bits : mask_ >> F::bits;
     }
   }
-  constexpr void left() noexcept {
+  [[gnu::always_inline]] constexpr void left() noexcept {
     if (mask_ == leftmost) {
       mask_ = rightmost;
       --byte_;
@@ -57,26 +61,27 @@ class FlatCursor {
   std::uint8_t* byte_;
   int stride_;
   unsigned mask_;
-  std::uint32_t pattern_;
+  image::Pattern pattern_;
 };
 
 /// A place on a surface of 8 bits a pixel: an address.
 template <image::PixelFormat F, class Ink>
 requires(F::bits == 8) class FlatCursor<F, Ink> {
  public:
-  constexpr FlatCursor(const image::Surface<F>& surface, int x, int y, std::uint32_t pattern) noexcept
+  [[gnu::always_inline]] constexpr FlatCursor(const image::Surface<F>& surface, int x, int y,
+                                              image::Pattern pattern) noexcept
       : byte_(surface.byte_at(x, y)), stride_(surface.stride()), pattern_(pattern) {}
 
-  constexpr void put() const noexcept { Ink::put(*byte_, pattern_); }
-  constexpr void up() noexcept { byte_ -= stride_; }
-  constexpr void down() noexcept { byte_ += stride_; }
-  constexpr void right() noexcept { ++byte_; }
-  constexpr void left() noexcept { --byte_; }
+  [[gnu::always_inline]] constexpr void put() const noexcept { Ink::put(*byte_, pattern_); }
+  [[gnu::always_inline]] constexpr void up() noexcept { byte_ -= stride_; }
+  [[gnu::always_inline]] constexpr void down() noexcept { byte_ += stride_; }
+  [[gnu::always_inline]] constexpr void right() noexcept { ++byte_; }
+  [[gnu::always_inline]] constexpr void left() noexcept { --byte_; }
 
  private:
   std::uint8_t* byte_;
   int stride_;
-  std::uint32_t pattern_;
+  image::Pattern pattern_;
 };
 
 /// One index, written to a surface by an `Ink`.
@@ -89,9 +94,9 @@ class FlatSink {
   constexpr FlatSink(const image::Surface<F>& surface, unsigned index, const linear::Rect& clip) noexcept
       : surface_(surface),
         clip_(linear::in_domain(clip) ? linear::intersect(surface.bounds(), clip) : linear::Rect{}),
-        pattern_(image::pattern_of(F::replicate(index))) {}
+        pattern_(F::replicate(index)) {}
   constexpr FlatSink(const image::Surface<F>& surface, unsigned index) noexcept
-      : surface_(surface), clip_(surface.bounds()), pattern_(image::pattern_of(F::replicate(index))) {}
+      : surface_(surface), clip_(surface.bounds()), pattern_(F::replicate(index)) {}
 
   /// Where the sink can draw, in the surface's coordinates.
   [[nodiscard]] constexpr const linear::Rect& clip() const noexcept { return clip_; }
@@ -127,7 +132,7 @@ class FlatSink {
 
   image::Surface<F> surface_;
   linear::Rect clip_;
-  std::uint32_t pattern_;
+  image::Pattern pattern_;
 };
 
 }  // namespace detail

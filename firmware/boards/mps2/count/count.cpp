@@ -6,10 +6,13 @@
 // its status is used, and the sink exists before (it is the caller's pen). Counted is all from the call to
 // the return, less what an empty row costs. Pixels are counted afterwards in the buffer, not taken on trust.
 // Output, one line a row: `row NAME;PIXELS;INSTRUCTIONS`. tests/target/speed reads it.
+#include <intaglio/raster/circle.hpp>
+#include <intaglio/raster/disc.hpp>
 #include <intaglio/raster/line.hpp>
 #include <intaglio/raster/pixel.hpp>
 #include <intaglio/raster/rectangle.hpp>
 #include <intaglio/raster/solid.hpp>
+#include <intaglio/raster/triangle.hpp>
 #include <intaglio/text/draw_text.hpp>
 
 #include <cstddef>
@@ -83,6 +86,21 @@ constexpr Row rows[] = {
     {"line (10,10)-(60,200)",
      [](const Pen& pen) {
        use(raster::draw_line(pen, {opaque(10), opaque(10)}, {opaque(60), opaque(200)}));
+     }},
+    {"circle r=50",
+     [](const Pen& pen) {
+       use(raster::draw_circle(pen, {opaque(160), opaque(120)}, opaque(50)));
+     }},
+    {"disc r=50",
+     [](const Pen& pen) {
+       use(raster::fill_disc(pen, {opaque(160), opaque(120)}, opaque(50)));
+     }},
+    {"triangle legs 50",
+     [](const Pen& pen) {
+       const Point a{opaque(100), opaque(100)};
+       const Point b{opaque(150), opaque(100)};
+       const Point c{opaque(100), opaque(150)};
+       use(raster::fill_triangle(pen, a, b, c));
      }},
     {"text 10 of 6x13",
      [](const Pen& pen) {

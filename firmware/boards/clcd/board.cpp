@@ -35,6 +35,7 @@ bool Board::start() noexcept {
 }
 
 Board::Screen Board::screen() noexcept { return Screen(lcd); }
+hal::Panel& Board::panel() noexcept { return lcd; }
 std::uint32_t Board::vblanks() noexcept { return lcd.vblank_count(); }
 hal::baremetal::TextOutput& Board::serial() noexcept { return uart; }
 

@@ -22,6 +22,7 @@ struct Board {
   /// Turns on the UART, the panel and interrupts. False if the panel doesn't start.
   [[nodiscard]] static bool start() noexcept;
   [[nodiscard]] static Screen screen() noexcept;
+  [[nodiscard]] static hal::Panel& panel() noexcept;
   /// VBLANKs so far.
   [[nodiscard]] static std::uint32_t vblanks() noexcept;
   [[nodiscard]] static hal::baremetal::TextOutput& serial() noexcept;

@@ -12,7 +12,8 @@ namespace host::assets {
 /// What every generated header says about itself.
 struct Heading {
   std::string source;      ///< The input file.
-  std::string credit;      ///< Author and licence, as the user gave them; may be empty.
+  std::string credit;      ///< Author and licence of the source, as the user gave them; may be empty.
+  std::string spdx;        ///< SPDX identifier that the header opens with; may be empty.
   std::string name;        ///< Identifier of the table.
   std::string name_space;  ///< Namespace it stands in.
 };

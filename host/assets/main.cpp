@@ -20,6 +20,7 @@ void add_common(CLI::App& command, Heading& heading, std::string& output) {
   command.add_option("file", heading.source, "Input file")->required();
   command.add_option("--name", heading.name, "Name of the table in the header")->required();
   command.add_option("--namespace", heading.name_space, "Namespace of the header")->capture_default_str();
+  command.add_option("--spdx", heading.spdx, "SPDX licence identifier that the header opens with");
   command.add_option("--credit", heading.credit, "Author, source and licence, for the header's head comment");
   command.add_option("-o,--output", output, "Header to write")->required();
 }

@@ -30,10 +30,20 @@ struct Vertex {
   bool operator==(const Vertex&) const = default;
 };
 
+/// One polygon's part of the lists, and its bounding box.
+struct Polygon {
+  std::size_t first_vertex = 0;
+  std::size_t vertex_count = 0;
+  std::size_t first_contour = 0;
+  std::size_t contour_count = 0;
+  Vertex lowest{};
+  Vertex highest{};
+};
+
 struct Rings {
   std::vector<Vertex> vertices;
-  std::vector<std::size_t> ring_lengths;
-  std::vector<std::size_t> polygon_rings;
+  std::vector<std::size_t> contour_lengths;
+  std::vector<Polygon> polygons;
   std::size_t dropped = 0;
 };
 
@@ -89,12 +99,21 @@ class Reader {
   }
 
   void polygon(const json& value) {
-    std::size_t count = 0;
-    for (const json& part : list(value, "a polygon")) count += ring(part) ? 1U : 0U;
-    if (count > 0) rings_.polygon_rings.push_back(count);
+    Polygon added{.first_vertex = rings_.vertices.size(), .first_contour = rings_.contour_lengths.size()};
+    for (const json& part : list(value, "a polygon")) ring(part);
+    added.vertex_count = rings_.vertices.size() - added.first_vertex;
+    added.contour_count = rings_.contour_lengths.size() - added.first_contour;
+    if (added.vertex_count == 0) return;
+    added.lowest = added.highest = rings_.vertices[added.first_vertex];
+    for (std::size_t i = 0; i < added.vertex_count; ++i) {
+      const Vertex v = rings_.vertices[added.first_vertex + i];
+      added.lowest = {std::min(added.lowest.x, v.x), std::min(added.lowest.y, v.y)};
+      added.highest = {std::max(added.highest.x, v.x), std::max(added.highest.y, v.y)};
+    }
+    rings_.polygons.push_back(added);
   }
 
-  bool ring(const json& value) {
+  void ring(const json& value) {
     std::vector<Vertex> vertices;
     for (const json& position : list(value, "a ring")) {
       if (!position.is_array() || position.size() < 2 || !position[0].is_number() || !position[1].is_number())
@@ -106,11 +125,10 @@ class Reader {
     while (vertices.size() > 1 && vertices.back() == vertices.front()) vertices.pop_back();
     if (vertices.size() < 3) {
       ++rings_.dropped;
-      return false;
+      return;
     }
     rings_.vertices.insert(rings_.vertices.end(), vertices.begin(), vertices.end());
-    rings_.ring_lengths.push_back(vertices.size());
-    return true;
+    rings_.contour_lengths.push_back(vertices.size());
   }
 
   std::int64_t scaled(double value) const {
@@ -132,9 +150,11 @@ std::string polygon_header(const PolygonOptions& options) {
   const Rings rings = Reader(options).read();
   Vertex lowest = rings.vertices.front();
   Vertex highest = lowest;
-  for (const Vertex& v : rings.vertices) {
-    lowest = {std::min(lowest.x, v.x), std::min(lowest.y, v.y)};
-    highest = {std::max(highest.x, v.x), std::max(highest.y, v.y)};
+  std::size_t largest = 0;
+  for (const Polygon& p : rings.polygons) {
+    lowest = {std::min(lowest.x, p.lowest.x), std::min(lowest.y, p.lowest.y)};
+    highest = {std::max(highest.x, p.highest.x), std::max(highest.y, p.highest.y)};
+    largest = std::max(largest, p.vertex_count);
   }
   constexpr std::int64_t short_limit = std::numeric_limits<std::int16_t>::max();
   const bool is_short = -lowest.x <= short_limit && -lowest.y <= short_limit && highest.x <= short_limit &&
@@ -143,22 +163,33 @@ std::string polygon_header(const PolygonOptions& options) {
 
   std::string out = head_comment(
       heading, "polygons",
-      fmt::format("{} polygons, {} rings, {} vertices; {} units in a unit of the source, y grows {}.\n"
-                  "{} rings too small for this scale are left out.",
-                  rings.polygon_rings.size(), rings.ring_lengths.size(), rings.vertices.size(), options.scale,
+      fmt::format("{} polygons, {} contours, {} vertices; {} units in a unit of the source, y grows {}.\n"
+                  "{} contours too small for this scale are left out.",
+                  rings.polygons.size(), rings.contour_lengths.size(), rings.vertices.size(), options.scale,
                   options.y_down ? "downwards" : "upwards", rings.dropped));
   out += "#include <cstdint>\n\n";
   out += fmt::format("namespace {}::{} {{\n\n", heading.name_space, heading.name);
   out += fmt::format("struct Vertex {{\n  {0} x;\n  {0} y;\n}};\n\n",
                      is_short ? "std::int16_t" : "std::int32_t");
-  out += fmt::format("inline constexpr Vertex lowest{};\ninline constexpr Vertex highest{};\n\n",
-                     pair(lowest), pair(highest));
-  out += "/// Rings of each polygon: its border, then its holes.\n";
-  out += array("int", "polygon_rings", rings.polygon_rings.size(),
-               [&](std::size_t i) { return fmt::format("{}", rings.polygon_rings[i]); });
-  out += "\n/// Vertices of each ring; the last is joined to the first.\n";
-  out += array("int", "ring_lengths", rings.ring_lengths.size(),
-               [&](std::size_t i) { return fmt::format("{}", rings.ring_lengths[i]); });
+  out +=
+      "/// One polygon: where its vertices and contours (its border, then its holes) stand, and its bounding "
+      "box.\n"
+      "struct Polygon {\n"
+      "  std::int32_t first_vertex, vertex_count, first_contour, contour_count;\n"
+      "  std::int32_t min_x, min_y, max_x, max_y;\n"
+      "};\n\n";
+  out += fmt::format("inline constexpr Vertex lowest{};\ninline constexpr Vertex highest{};\n", pair(lowest),
+                     pair(highest));
+  out += fmt::format(
+      "/// Vertices of the polygon that has most.\ninline constexpr int largest_polygon = {};\n\n", largest);
+  out += array("Polygon", "polygons", rings.polygons.size(), [&](std::size_t i) {
+    const Polygon& p = rings.polygons[i];
+    return fmt::format("{{{}, {}, {}, {}, {}, {}, {}, {}}}", p.first_vertex, p.vertex_count, p.first_contour,
+                       p.contour_count, p.lowest.x, p.lowest.y, p.highest.x, p.highest.y);
+  });
+  out += "\n/// Vertices of each contour; the last is joined to the first.\n";
+  out += array("int", "contour_lengths", rings.contour_lengths.size(),
+               [&](std::size_t i) { return fmt::format("{}", rings.contour_lengths[i]); });
   out += '\n';
   out += array("Vertex", "vertices", rings.vertices.size(),
                [&](std::size_t i) { return pair(rings.vertices[i]); });

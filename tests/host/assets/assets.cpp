@@ -150,19 +150,24 @@ TEST_F(Assets, PolygonsAreRoundedRingsWithoutTheirClosingVertex) {
     {"type": "Feature", "properties": {}, "geometry": {"type": "MultiPolygon", "coordinates": [
       [[[-5, -5], [-4, -5], [-4, -4.25], [-5, -5]]], [[[0.01, 0], [0.02, 0], [0.02, 0.01], [0.01, 0]]]]}}]})");
   const std::string header = folder_ / "p.hpp";
-  const Outcome outcome = assets("polygons " + (folder_ / "p.json") + " --scale 10 --name p -o " + header);
+  const Outcome outcome =
+      assets("polygons " + (folder_ / "p.json") + " --scale 10 --spdx CC0-1.0 --name p -o " + header);
   ASSERT_EQ(outcome.code, 0) << outcome.output;
   expect_compiles(header, R"(
     using namespace intaglio::polygons::p;
-    static_assert(sizeof(Vertex) == 4 && sizeof polygon_rings == 2 * sizeof(int) && sizeof ring_lengths == 3 * sizeof(int));
-    static_assert(polygon_rings[0] == 2 && polygon_rings[1] == 1);
-    static_assert(ring_lengths[0] == 4 && ring_lengths[1] == 3 && ring_lengths[2] == 3);
+    static_assert(sizeof(Vertex) == 4 && sizeof polygons == 2 * sizeof(Polygon));
+    static_assert(polygons[0].contour_count == 2 && polygons[0].vertex_count == 7 && largest_polygon == 7);
+    static_assert(polygons[1].first_vertex == 7 && polygons[1].first_contour == 2 && polygons[1].contour_count == 1);
+    static_assert(polygons[0].min_x == 0 && polygons[0].min_y == -102 && polygons[1].max_x == -40);
+    static_assert(sizeof contour_lengths == 3 * sizeof(int));
+    static_assert(contour_lengths[0] == 4 && contour_lengths[1] == 3 && contour_lengths[2] == 3);
     static_assert(sizeof vertices == 10 * sizeof(Vertex));
     static_assert(vertices[2].x == 103 && vertices[2].y == -102 && vertices[3].x == 0 && vertices[3].y == -100);
     static_assert(vertices[9].x == -40 && vertices[9].y == 43);  // 42.5: halves go away from zero
     static_assert(lowest.x == -50 && lowest.y == -102 && highest.x == 103 && highest.y == 50);
   )");
-  EXPECT_THAT(test_host::read(header), HasSubstr("1 rings too small"));
+  EXPECT_EQ(test_host::read(header).find("// SPDX-License-Identifier: CC0-1.0\n"), 0U);
+  EXPECT_THAT(test_host::read(header), HasSubstr("1 contours too small"));
 }
 
 TEST_F(Assets, LargeCoordinatesTakeLargerIntegers) {

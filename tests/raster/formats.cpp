@@ -6,11 +6,11 @@
 #include <intaglio/raster/pixel.hpp>
 #include <intaglio/raster/rectangle.hpp>
 #include <intaglio/raster/solid.hpp>
+#include <tests/oracle/random.hpp>
 
 #include <gtest/gtest.h>
 
 #include <cstdint>
-#include <random>
 #include <vector>
 
 namespace {
@@ -46,8 +46,8 @@ class Canvas {
 // The same random drawing on any sink. Most shapes stick out of the picture.
 template <class Use>
 void draw_scene(unsigned seed, int shapes, unsigned indices, Use use) {
-  std::mt19937 random(seed);
-  const auto value = [&](int low, int high) { return std::uniform_int_distribution<int>(low, high)(random); };
+  oracle::Random random(seed);
+  const auto value = [&](int low, int high) { return random.between(low, high); };
   for (int i = 0; i < shapes; ++i) {
     const unsigned index = static_cast<unsigned>(value(0, 255)) % indices;
     const int kind = value(0, 5);
@@ -141,8 +141,8 @@ TYPED_TEST(Formats, XorDrawsWhatSpansDraw) { expect_equal_to_spans<TypeParam, ra
 TYPED_TEST(Formats, XorTwiceRestoresEveryByte) {
   using F = TypeParam;
   std::vector<std::uint8_t> memory(static_cast<std::size_t>(F::row_bytes(width) * height));
-  std::mt19937 random(7);
-  for (std::uint8_t& byte : memory) byte = static_cast<std::uint8_t>(random());
+  oracle::Random random(7);
+  for (std::uint8_t& byte : memory) byte = static_cast<std::uint8_t>(random.between(0, 255));
   const std::vector<std::uint8_t> before = memory;
   const auto surface = image::Surface<F>::over(memory, {width, height});
   ASSERT_TRUE(surface.ok());

@@ -2,14 +2,13 @@
 #include <intaglio/raster/line.hpp>
 #include <intaglio/raster/solid.hpp>
 #include <tests/oracle/line.hpp>
+#include <tests/oracle/random.hpp>
 #include <tests/oracle/recording_sink.hpp>
 
 #include <climits>
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <random>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -116,10 +115,8 @@ TEST(Line, EveryShortLineInEveryWindowIsTheUnclippedLineRestricted) {
 
 // Random end points up to `limit`, windows near the line so that most see it.
 void random_lines(int limit, int count, unsigned seed) {
-  std::mt19937 random(seed);
-  const auto coordinate = [&](int bound) {
-    return std::uniform_int_distribution<int>(-bound, bound)(random);
-  };
+  oracle::Random random(seed);
+  const auto coordinate = [&](int bound) { return random.between(-bound, bound); };
   int visible = 0;
   for (int i = 0; i < count; ++i) {
     Point a{coordinate(limit), coordinate(limit)};
@@ -136,7 +133,7 @@ void random_lines(int limit, int count, unsigned seed) {
     const Rect clip{std::clamp(cx - std::abs(coordinate(21)), -(1 << 20), (1 << 20) - width),
                     std::clamp(cy - std::abs(coordinate(21)), -(1 << 20), (1 << 20) - height), width, height};
     RecordingSink sink(clip);
-    ASSERT_EQ(fault(a, b, sink), "") << "seed " << seed << " line " << i;
+    ASSERT_EQ(fault(a, b, sink), "") << random.seed_text() << " line " << i;
     visible += sink.touched() > 0 ? 1 : 0;
   }
   EXPECT_GT(visible, count / 4) << "the windows hardly see the lines: the test proves nothing";
@@ -165,6 +162,15 @@ TEST(Line, LimitsOfSmallIntegersAreNothingSpecial) {
         const Rect window{std::max(clip.x, -(1 << 20)), std::max(clip.y, -(1 << 20)), 12, 12};
         EXPECT_EQ(fault(a, b, window), "") << n;
       }
+}
+
+TEST(Line, KnownRowsOfSmallLines) {
+  // (3,1): rows 0 0 1 1; (1,0): 0 0; (2,1): a tie at x = 1, which goes to row 1.
+  const Rect clip{0, 0, 4, 2};
+  EXPECT_EQ(pixels_of({0, 0}, {3, 1}, clip),
+            (std::vector<std::pair<int, int>>{{0, 0}, {1, 0}, {2, 1}, {3, 1}}));
+  EXPECT_EQ(pixels_of({0, 0}, {1, 0}, clip), (std::vector<std::pair<int, int>>{{0, 0}, {1, 0}}));
+  EXPECT_EQ(pixels_of({0, 0}, {2, 1}, clip), (std::vector<std::pair<int, int>>{{0, 0}, {1, 1}, {2, 1}}));
 }
 
 TEST(Line, KnownPixelsOfAShallowLine) {

@@ -34,21 +34,6 @@ namespace detail {
 /// The type in which a / b is computed.
 template <class A, class B>
 using Quotient = decltype(A{} / B{});
-
-/// True if a / b has no exact answer in T; then `answer` is the saturated one.
-template <class T>
-[[nodiscard]] constexpr bool saturates(T a, T b, T& answer) noexcept {
-  using Limits = std::numeric_limits<T>;
-  if (b == 0) {
-    answer = a == 0 ? T{0} : a > 0 ? Limits::max() : Limits::min();
-    return true;
-  }
-  if (b == -1 && a == Limits::min()) {
-    answer = Limits::max();
-    return true;
-  }
-  return false;
-}
 }  // namespace detail
 
 /// The floor of a/b and the remainder, which has the sign of b or is zero: for b > 0 it lies in 0 .. b-1.
@@ -56,11 +41,12 @@ template <class T>
 template <std::signed_integral A, std::signed_integral B>
 [[nodiscard]] constexpr auto floor_divide(A a, B b) noexcept -> Division<detail::Quotient<A, B>> {
   using T = detail::Quotient<A, B>;
+  using Limits = std::numeric_limits<T>;
   const T dividend = a;
   const T divisor = b;
-  T quotient = 0;
-  if (detail::saturates(dividend, divisor, quotient)) return {quotient, 0};
-  quotient = dividend / divisor;
+  if (divisor == 0) return {dividend == 0 ? T{0} : dividend > 0 ? Limits::max() : Limits::min(), 0};
+  if (divisor == -1 && dividend == Limits::min()) return {Limits::max(), 0};
+  T quotient = dividend / divisor;
   T remainder = dividend % divisor;
   if (remainder != 0 && (remainder < 0) != (divisor < 0)) {
     --quotient;

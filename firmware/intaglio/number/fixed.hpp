@@ -121,7 +121,8 @@ class Fixed {
   friend constexpr Fixed operator-(Fixed a) noexcept { return Fixed(saturate(-std::int64_t{a.raw_})); }
   constexpr Fixed& operator+=(Fixed other) noexcept { return *this = *this + other; }
   constexpr Fixed& operator-=(Fixed other) noexcept { return *this = *this - other; }
-  friend constexpr auto operator<=>(Fixed, Fixed) noexcept = default;
+  // clang-tidy takes the 0 of the generated comparisons for a pointer.
+  friend constexpr auto operator<=>(Fixed, Fixed) noexcept = default;  // NOLINT(modernize-use-nullptr)
 
  private:
   constexpr explicit Fixed(std::int32_t raw) noexcept : raw_(raw) {}

@@ -21,6 +21,12 @@
 
 namespace intaglio::image {
 
+namespace detail {
+/// Every offset into a surface's memory is below this. (Not a member: a static member of 64 bits makes GCC
+/// for Arm remark on every function that takes a view by value.)
+inline constexpr std::int64_t max_bytes = std::int64_t{1} << 30U;
+}  // namespace detail
+
 /// A view of pixels. `Byte` is `std::uint8_t` (a surface to draw on) or `const std::uint8_t` (a picture to
 /// read); use the names `Surface` and `Picture`.
 template <PixelFormat F, class Byte>
@@ -55,7 +61,7 @@ class PixelView {
     if (stride == 0) stride = least;
     if (stride < least) return Status{Error::too_small, Argument::stride, static_cast<std::uint32_t>(least)};
     const std::int64_t furthest_row = band.bottom() > -band.y ? band.bottom() : -band.y;
-    if (furthest_row * stride >= max_bytes) return Status{Error::too_large, Argument::stride};
+    if (furthest_row * stride >= detail::max_bytes) return Status{Error::too_large, Argument::stride};
     const auto needed = static_cast<std::uint32_t>((band.height - 1) * stride + least);
     if (buffer.size() < needed) return Status{Error::too_small, Argument::buffer, needed};
     PixelView view;
@@ -122,8 +128,6 @@ class PixelView {
  private:
   template <PixelFormat, class>
   friend class PixelView;
-
-  static constexpr std::int64_t max_bytes = std::int64_t{1} << 30U;
 
   /// Makes (x, y) the pixel at `data_`, `slot` pixels into its byte.
   constexpr void set_origin(int x, int y, int slot) noexcept {

@@ -14,6 +14,7 @@
 #pragma once
 
 #include <intaglio/image/fill.hpp>
+#include <intaglio/image/row.hpp>
 #include <intaglio/image/surface.hpp>
 #include <intaglio/raster/sink.hpp>
 
@@ -107,7 +108,7 @@ class FlatSink {
     if constexpr (F::bits == 8)
       Ink::run(surface_.byte_at(x_begin, y), x_end - x_begin, pattern_);
     else
-      Ink::run(masked(y, x_begin, x_end), pattern_);
+      Ink::run(image::row_run(surface_, y, x_begin, x_end), pattern_);
   }
 
   /// Writes a rectangle. Precondition: it is inside the clip and holds a pixel.
@@ -115,21 +116,13 @@ class FlatSink {
     if constexpr (F::bits == 8)
       Ink::rows(surface_.byte_at(r.x, r.y), r.width, r.height, surface_.stride(), pattern_);
     else
-      Ink::rows(masked(r.y, r.x, r.right()), r.height, surface_.stride(), pattern_);
+      Ink::rows(image::row_run(surface_, r.y, r.x, r.right()), r.height, surface_.stride(), pattern_);
   }
 
   /// Stands on a pixel inside the clip.
   [[nodiscard]] constexpr Cursor cursor(int x, int y) const noexcept { return {surface_, x, y, pattern_}; }
 
  private:
-  [[nodiscard]] image::MaskedRun masked(int y, int x_begin, int x_end) const noexcept {
-    constexpr int last_slot = F::pixels_per_byte - 1;
-    const int slot = surface_.slot_at(x_begin);
-    const int end = slot + (x_end - x_begin);
-    return {surface_.byte_at(x_begin, y), end >> F::byte_shift, F::mask_from(slot),
-            ~F::mask_from(end & last_slot) & 255U};
-  }
-
   image::Surface<F> surface_;
   linear::Rect clip_;
   image::Pattern pattern_;

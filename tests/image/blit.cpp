@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: MIT
+#include <intaglio/image/blit.hpp>
+#include <tests/image/formats.hpp>
+
+#include <array>
+#include <limits>
+#include <optional>
+#include <tuple>
+
+namespace {
+
+using intaglio::Argument;
+using intaglio::Error;
+using intaglio::Status;
+using intaglio::image::blit;
+using intaglio::image::ColourKey;
+using intaglio::image::Everything;
+using intaglio::image::Indexed1;
+using intaglio::image::Indexed4;
+using intaglio::image::Indexed4Lsb;
+using intaglio::image::Indexed8;
+using intaglio::image::KeyedRemap;
+using intaglio::image::Picture;
+using intaglio::image::Remap;
+using intaglio::image::Surface;
+using intaglio::linear::Point;
+using intaglio::linear::Rect;
+using oracle::Packed;
+
+constexpr int width = 27;
+constexpr int height = 6;
+
+/// What is copied onto what, in coordinates of the two memories.
+struct Job {
+  Rect source;     // The part of the source memory that is the source.
+  Rect target;     // The part of the target memory that is the target.
+  Point position;  // In the target's coordinates.
+  Rect clip;       // In the target's coordinates.
+};
+
+Rect random_part(oracle::Random& random) {
+  const int x = random.between(0, width - 1);
+  const int y = random.between(0, height - 1);
+  return {x, y, random.between(1, width - x), random.between(1, height - y)};
+}
+
+Job random_job(oracle::Random& random) {
+  Job job{random_part(random),
+          random_part(random),
+          {random.between(-9, 9), random.between(-4, 4)},
+          {-100, -100, 200, 200}};
+  if (random.between(0, 2) == 0)
+    job.clip = {random.between(-5, 20), random.between(-3, 5), random.between(-1, 20), random.between(-1, 6)};
+  return job;
+}
+
+/// Paints the expected picture: the source is read first, then every pixel that is inside everything is
+/// written.
+template <class Map>
+void expect_blit(Packed& target, const Packed& source, const Job& job, Map map) {
+  std::vector<unsigned> read;
+  for (int y = 0; y < job.source.height; ++y)
+    for (int x = 0; x < job.source.width; ++x) read.push_back(source.get(job.source.x + x, job.source.y + y));
+  std::size_t next = 0;
+  for (int y = 0; y < job.source.height; ++y)
+    for (int x = 0; x < job.source.width; ++x) {
+      const std::optional<unsigned> index = map(read[next++]);
+      const int column = job.position.x + x;
+      const int row = job.position.y + y;
+      const bool on_target = column >= 0 && column < job.target.width && row >= 0 && row < job.target.height;
+      const bool in_clip = column >= job.clip.x && column < job.clip.x + job.clip.width &&
+                           row >= job.clip.y && row < job.clip.y + job.clip.height;
+      if (index && on_target && in_clip) target.set(job.target.x + column, job.target.y + row, *index);
+    }
+}
+
+std::string text(const Job& job) {
+  const auto rect = [](const Rect& r) {
+    return std::to_string(r.x) + ',' + std::to_string(r.y) + ' ' + std::to_string(r.width) + 'x' +
+           std::to_string(r.height);
+  };
+  return "source " + rect(job.source) + " target " + rect(job.target) + " at " +
+         std::to_string(job.position.x) + ',' + std::to_string(job.position.y) + " clip " + rect(job.clip);
+}
+
+/// Random tables for a pair of formats: entries that the target can hold.
+template <class F, class G>
+std::array<std::uint8_t, G::max_index + 1> random_table(oracle::Random& random) {
+  std::array<std::uint8_t, G::max_index + 1> table{};
+  for (std::uint8_t& entry : table) entry = static_cast<std::uint8_t>(random.bits() % (F::max_index + 1U));
+  return table;
+}
+
+/// One random job by one rule between two memories, or within one.
+template <class F, class G, class Rule, class Map>
+void check(oracle::Random& random, const Rule& rule, Map map) {
+  const Job job = random_job(random);
+  Packed to = tests::packed_rows<F>(width, height, random.between(0, 3));
+  Packed from = tests::packed_rows<G>(width, height, random.between(0, 3));
+  to.randomize(random);
+  from.randomize(random);
+  Packed expected = to;
+  expect_blit(expected, from, job, map);
+  const Picture<G> source = tests::surface_over<G>(from, width, height).sub(job.source);
+  const Surface<F> target = tests::surface_over<F>(to, width, height).sub(job.target);
+  ASSERT_TRUE(blit(target, job.position, source, rule, job.clip).ok());
+  ASSERT_EQ(to.bytes(), expected.bytes()) << text(job) << ", " << random.seed_text();
+  if constexpr (std::is_same_v<F, G>) {
+    Packed both = to;
+    Packed expected_both = both;
+    expect_blit(expected_both, expected_both, job, map);
+    const Surface<F> whole = tests::surface_over<F>(both, width, height);
+    ASSERT_TRUE(blit(whole.sub(job.target), job.position, whole.sub(job.source), rule, job.clip).ok());
+    ASSERT_EQ(both.bytes(), expected_both.bytes()) << "overlap, " << text(job) << ", " << random.seed_text();
+  }
+}
+
+template <class F, class G>
+void check_pair(std::uint32_t seed, int jobs) {
+  oracle::Random random(seed);
+  for (int i = 0; i < jobs && !testing::Test::HasFatalFailure(); ++i) {
+    const auto key = static_cast<unsigned>(random.bits() % (G::max_index + 1U));
+    const auto table = random_table<F, G>(random);
+    check<F, G>(random, Remap{table}, [&](unsigned index) { return std::optional<unsigned>(table[index]); });
+    check<F, G>(random, KeyedRemap{key, table}, [&](unsigned index) {
+      return index == key ? std::nullopt : std::optional<unsigned>(table[index]);
+    });
+    if constexpr (G::bits <= F::bits) {
+      check<F, G>(random, Everything{}, [](unsigned index) { return std::optional<unsigned>(index); });
+      check<F, G>(random, ColourKey{key}, [&](unsigned index) {
+        return index == key ? std::nullopt : std::optional<unsigned>(index);
+      });
+    }
+  }
+}
+
+template <class F>
+class Blit : public testing::Test {};
+TYPED_TEST_SUITE(Blit, tests::AllFormats);
+
+template <class F, class... Sources>
+void check_all_sources(testing::Types<Sources...>) {
+  std::uint32_t seed = 4000;
+  (check_pair<F, Sources>(++seed, std::is_same_v<F, Sources> ? 3000 : 400), ...);
+}
+
+TYPED_TEST(Blit, FromEveryFormatByEveryRuleEqualsReadingFirstAndWritingThen) {
+  check_all_sources<TypeParam>(tests::AllFormats{});
+}
+
+TYPED_TEST(Blit, AFrameScrollsOverItselfInEveryDirection) {
+  oracle::Random random(41);
+  for (int dy = -7; dy <= 7; ++dy)
+    for (int dx = -28; dx <= 28; ++dx) {
+      Packed memory = tests::packed_rows<TypeParam>(width, height, 1);
+      memory.randomize(random);
+      Packed expected = memory;
+      const Rect all{0, 0, width, height};
+      expect_blit(expected, expected, {all, all, {dx, dy}, all},
+                  [](unsigned i) { return std::optional<unsigned>(i); });
+      const auto frame = tests::surface_over<TypeParam>(memory, width, height);
+      ASSERT_TRUE(blit(frame, {dx, dy}, frame).ok());
+      ASSERT_EQ(memory.bytes(), expected.bytes()) << dx << ' ' << dy;
+    }
+}
+
+TYPED_TEST(Blit, BandsOfTheTargetGiveTheWholePicture) {
+  oracle::Random random(42);
+  Packed from = tests::packed_rows<TypeParam>(width, height);
+  from.randomize(random);
+  const Picture<TypeParam> source = tests::surface_over<TypeParam>(from, width, height);
+  for (int dx = -5; dx <= 5; ++dx)
+    for (int rows = 1; rows <= height; ++rows) {
+      Packed whole = tests::packed_rows<TypeParam>(width, height);
+      ASSERT_TRUE(blit(tests::surface_over<TypeParam>(whole, width, height), {dx, 1}, source).ok());
+      Packed in_bands = tests::packed_rows<TypeParam>(width, height);
+      for (int y = 0; y < height; y += rows) {
+        const auto rest =
+            std::span(in_bands.bytes()).subspan(static_cast<std::size_t>(y * in_bands.stride()));
+        const auto band =
+            Surface<TypeParam>::over_band(rest, {0, y, width, std::min(rows, height - y)}, in_bands.stride());
+        ASSERT_TRUE(band.ok());
+        ASSERT_TRUE(blit(band.value(), {dx, 1}, source).ok());
+      }
+      ASSERT_EQ(in_bands.bytes(), whole.bytes()) << dx << ' ' << rows;
+    }
+}
+
+TYPED_TEST(Blit, ABandAsSourceLandsWithItsCorner) {
+  oracle::Random random(43);
+  Packed from = tests::packed_rows<TypeParam>(9, 3);
+  from.randomize(random);
+  const auto band = Picture<TypeParam>::over_band(from.bytes(), {-4, 77, 9, 3});
+  ASSERT_TRUE(band.ok());
+  Packed to = tests::packed_rows<TypeParam>(width, height);
+  Packed expected = to;
+  expect_blit(expected, from, {{0, 0, 9, 3}, {0, 0, width, height}, {5, 2}, {0, 0, width, height}},
+              [](unsigned i) { return std::optional<unsigned>(i); });
+  ASSERT_TRUE(blit(tests::surface_over<TypeParam>(to, width, height), {5, 2}, band.value()).ok());
+  EXPECT_EQ(to.bytes(), expected.bytes());
+}
+
+TEST(BlitArguments, BadOnesAreNamedAndNothingIsDrawn) {
+  constexpr int limit = 1 << 20;
+  constexpr int int_min = std::numeric_limits<int>::min();
+  constexpr int int_max = std::numeric_limits<int>::max();
+  oracle::Random random(44);
+  Packed to = tests::packed_rows<Indexed4>(width, height);
+  Packed from = tests::packed_rows<Indexed4>(width, height);
+  to.randomize(random);
+  from.randomize(random);
+  const Packed before = to;
+  const auto target = tests::surface_over<Indexed4>(to, width, height);
+  const Picture<Indexed4> source = tests::surface_over<Indexed4>(from, width, height);
+
+  for (const Point position : {Point{limit + 1, 0}, Point{0, -limit - 1}, Point{int_min, int_max}})
+    EXPECT_EQ(blit(target, position, source), (Status{Error::out_of_domain, Argument::position}));
+  for (const Rect& clip : {Rect{limit + 1, 0, 1, 1}, Rect{0, 0, int_max, 1}, Rect{0, 0, 1, int_min}})
+    EXPECT_EQ(blit(target, {0, 0}, source, Everything{}, clip),
+              (Status{Error::out_of_domain, Argument::rectangle}));
+  EXPECT_EQ(blit(target, {0, 0}, source, ColourKey{16}), (Status{Error::out_of_range, Argument::colour, 15}));
+
+  std::array<std::uint8_t, 16> table{};
+  const auto short_table = std::span<const std::uint8_t>(table).first(15);
+  EXPECT_EQ(blit(target, {0, 0}, source, Remap{short_table}),
+            (Status{Error::too_small, Argument::table, 16}));
+  EXPECT_EQ(blit(target, {0, 0}, source, KeyedRemap{1, short_table}),
+            (Status{Error::too_small, Argument::table, 16}));
+  EXPECT_EQ(blit(target, {0, 0}, source, KeyedRemap{16, table}),
+            (Status{Error::out_of_range, Argument::colour, 15}));
+  table[15] = 16;
+  EXPECT_EQ(blit(target, {0, 0}, source, Remap{table}), (Status{Error::out_of_range, Argument::table, 15}));
+  EXPECT_EQ(to.bytes(), before.bytes());
+}
+
+TEST(BlitArguments, TheTableOfADeeperSourceNeedsAllItsIndices) {
+  Packed to = tests::packed_rows<Indexed1>(width, height);
+  Packed from = tests::packed_rows<Indexed8>(width, height);
+  const std::array<std::uint8_t, 255> table{};
+  EXPECT_EQ(blit(tests::surface_over<Indexed1>(to, width, height), {0, 0},
+                 tests::surface_over<Indexed8>(from, width, height), Remap{table}),
+            (Status{Error::too_small, Argument::table, 256}));
+}
+
+TEST(BlitArguments, EmptyViewsAndPositionsOutsideDrawNothing) {
+  constexpr int limit = 1 << 20;
+  oracle::Random random(45);
+  Packed to = tests::packed_rows<Indexed8>(width, height);
+  to.randomize(random);
+  Packed from = tests::packed_rows<Indexed8>(width, height);
+  const Packed before = to;
+  const auto target = tests::surface_over<Indexed8>(to, width, height);
+  const auto source = tests::surface_over<Indexed8>(from, width, height);
+  EXPECT_TRUE(blit(target, {0, 0}, Picture<Indexed8>{}).ok());
+  EXPECT_TRUE(blit(Surface<Indexed8>{}, {0, 0}, source).ok());
+  for (const Point position : {Point{width, 0}, Point{-width, 0}, Point{0, height}, Point{0, -height},
+                               Point{limit, limit}, Point{-limit, -limit}})
+    EXPECT_TRUE(blit(target, position, source).ok());
+  EXPECT_TRUE(blit(target, {0, 0}, source, Everything{}, {3, 3, 0, 5}).ok());
+  EXPECT_EQ(to.bytes(), before.bytes());
+}
+
+TEST(BlitOverlap, ViewsOfAnotherStrideOrFormatInTheSameMemoryAreRefused) {
+  oracle::Random random(46);
+  Packed memory = tests::packed_rows<Indexed8>(width, height);
+  memory.randomize(random);
+  const Packed before = memory;
+  const auto view = [&]<class F>(F, int columns, int rows, int stride) {
+    const auto result = Surface<F>::over(memory.bytes(), {columns, rows}, stride);
+    EXPECT_TRUE(result.ok());
+    return result.value();
+  };
+  const auto frame = view(Indexed8{}, width, height, 0);
+  const Status refused{Error::mismatched, Argument::source};
+  EXPECT_EQ(blit(frame, {0, 1}, view(Indexed8{}, width, height - 1, width + 1)), refused);
+  EXPECT_EQ(blit(frame, {0, 1}, view(Indexed4{}, width, height, 0)), refused);
+  EXPECT_EQ(blit(view(Indexed4Lsb{}, width, 2, 0), {0, 0}, view(Indexed4{}, width, 2, 0)), refused);
+  EXPECT_EQ(memory.bytes(), before.bytes());
+  // A single row has no stride, and rows that don't meet don't overlap.
+  EXPECT_TRUE(blit(frame, {2, 0}, view(Indexed8{}, width, 1, width + 1)).ok());
+  EXPECT_TRUE(blit(frame.sub({0, 4, width, 2}), {0, 0}, view(Indexed8{}, 20, 2, 20)).ok());
+}
+
+}  // namespace

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#include <host/sim/options.hpp>
+
+#include <CLI/CLI.hpp>
+
+namespace host {
+
+std::variant<Options, int> parse_command_line(int argc, const char* const* argv) {
+  Options options;
+  CLI::App app{
+      "Runs a program of Intaglio on a simulated panel.\n"
+      "Where there is a display it opens a window, else on a terminal it shows a preview until a key is\n"
+      "pressed, else it records 120 frames. It leaves an animated PNG and says where.",
+      "intaglio-sim"};
+  app.add_option("program", options.program, "Program to run; --list names them");
+  app.add_option("--panel", options.panel, "Panel: a name (--list) or WIDTHxHEIGHTxBITS, as 320x240x8")
+      ->capture_default_str();
+  app.add_option("--frames", options.frames, "Frames to run (default: until you end it, or 120 unattended)")
+      ->check(CLI::Range(std::uint32_t{1}, std::uint32_t{1'000'000'000}));
+  app.add_option("--fps", options.frames_per_second, "Frames a second")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  app.add_option("--png", options.png, "Write the last frame to this file");
+  app.add_option("--apng", options.animation,
+                 "Write the animation to this file (default: PROGRAM.png in the working folder)");
+  app.add_flag("--digest", options.digest, "Print a line `frame N crc32 HEX` a frame, and nothing else");
+  CLI::Option* const window = app.add_flag("--window", options.window, "Show a window");
+  app.add_flag("--terminal", options.terminal, "Show a preview on the terminal")->excludes(window);
+  app.add_option("--scale", options.scale, "Window pixels a pixel (default: as suits the screen)")
+      ->check(CLI::Range(1, 32));
+  app.add_flag("--list", options.list, "Name the programs, panels and effects");
+  try {
+    app.parse(argc, argv);
+    if (options.program.empty() && !options.list)
+      throw CLI::RequiredError("program (intaglio-sim --list names them)");
+    if (options.terminal && options.digest)
+      throw CLI::ValidationError("--terminal and --digest both need standard output");
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error);
+  }
+  return options;
+}
+
+}  // namespace host

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+//
+// The command line of intaglio-sim.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+
+namespace host {
+
+struct Options {
+  std::string program;
+  std::string panel = "clcd";            ///< A name of the catalogue or WxHxBPP.
+  std::optional<std::uint32_t> frames;   ///< None: until the user ends it, or 120 where nobody looks.
+  int frames_per_second = 60;            ///< 1..1000
+  std::optional<std::string> png;        ///< Where the last frame goes.
+  std::optional<std::string> animation;  ///< Where all frames go.
+  bool digest = false;
+  bool window = false;
+  bool terminal = false;
+  int scale = 0;  ///< Of the window, 1..32; 0: as suits the screen.
+  bool list = false;
+};
+
+/// The options, or the exit code of a program that has said what was wrong (or given the help it was asked
+/// for).
+[[nodiscard]] std::variant<Options, int> parse_command_line(int argc, const char* const* argv);
+
+}  // namespace host

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include <host/failure.hpp>
 #include <host/sim/apng.hpp>
 
 #include <algorithm>
 #include <array>
-#include <stdexcept>
+#include <filesystem>
+#include <system_error>
 #include <zlib.h>
 
 namespace host {
@@ -40,7 +42,7 @@ void append_deflated(Bytes& out, const RgbPicture& picture, int x, int y, int wi
   const std::size_t begin = out.size();
   out.resize(begin + size);
   if (compress2(out.data() + begin, &size, rows.data(), rows.size(), Z_DEFAULT_COMPRESSION) != Z_OK)
-    throw std::runtime_error("out of memory while compressing a picture");
+    throw Failure("out of memory while compressing a picture");
   out.resize(begin + size);
 }
 
@@ -51,7 +53,7 @@ ApngWriter::ApngWriter(const std::string& path, int width, int height, int frame
       file_(path, std::ios::binary | std::ios::trunc),
       frames_per_second_(frames_per_second),
       last_(width, height) {
-  if (!file_) throw std::runtime_error("cannot write " + path);
+  if (!file_) throw Failure("cannot write " + path);
   constexpr std::array<std::uint8_t, 8> signature{0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
   write_bytes(file_, signature);
   Bytes header;
@@ -63,10 +65,15 @@ ApngWriter::ApngWriter(const std::string& path, int width, int height, int frame
   write_animation_control();
 }
 
+ApngWriter::~ApngWriter() {
+  std::error_code ignored;
+  if (!finished_ && std::filesystem::is_regular_file(path_, ignored)) std::filesystem::remove(path_, ignored);
+}
+
 void ApngWriter::add(const RgbPicture& picture) {
   if (picture.width != last_.width || picture.height != last_.height ||
       picture.bytes.size() != last_.bytes.size())
-    throw std::runtime_error("a frame of another size than the animation " + path_);
+    throw Failure("a frame of another size than the animation " + path_);
   const Area area = frames_ == 0 ? Area{0, 0, picture.width, picture.height} : changed(picture);
   Bytes control;
   append_u32(control, sequence_++);
@@ -90,12 +97,13 @@ void ApngWriter::add(const RgbPicture& picture) {
 }
 
 void ApngWriter::finish() {
-  if (frames_ == 0) throw std::runtime_error("an animation without a frame: " + path_);
+  if (frames_ == 0) throw Failure("an animation without a frame: " + path_);
   write_chunk("IEND", {});
   file_.seekp(animation_control_);
   write_animation_control();
   file_.close();
-  if (!file_) throw std::runtime_error("cannot write " + path_);
+  if (!file_) throw Failure("cannot write " + path_);
+  finished_ = true;
 }
 
 /// The smallest rectangle with all pixels that differ from the last frame; one pixel if none does, for a
@@ -126,7 +134,7 @@ void ApngWriter::write_chunk(const char (&type)[5], std::span<const std::uint8_t
   append_u32(chunk, static_cast<std::uint32_t>(
                         crc32(0, chunk.data() + 4, static_cast<uInt>(chunk.size() - 4))));  // not the length
   write_bytes(file_, chunk);
-  if (!file_) throw std::runtime_error("cannot write " + path_);
+  if (!file_) throw Failure("cannot write " + path_);
 }
 
 void ApngWriter::write_animation_control() {

@@ -5,7 +5,7 @@
 //
 // Rule: the file opens as a still picture of the first frame in viewers that know no animation. A frame holds
 // only the rectangle that differs from the one before it. The number of frames stands near the file's
-// beginning, so it is filled in by `finish`; until then the file isn't valid.
+// beginning, so it is filled in by `finish`; a file that isn't finished goes away with its writer.
 // Colours are stored in full (8 bits a channel) because palettes may change from frame to frame.
 #pragma once
 
@@ -21,16 +21,16 @@ namespace host {
 
 class ApngWriter {
  public:
-  /// Starts the file. `frames_per_second` is 1..65535. Throws std::runtime_error if it can't be written.
+  /// Starts the file. `frames_per_second` is 1..65535. Throws Failure if it can't be written.
   ApngWriter(const std::string& path, int width, int height, int frames_per_second);
   ApngWriter(const ApngWriter&) = delete;
   ApngWriter& operator=(const ApngWriter&) = delete;
-  ~ApngWriter() = default;
+  ~ApngWriter();
 
-  /// Appends a frame of the size named at the start. Throws std::runtime_error on a wrong size or a failed
+  /// Appends a frame of the size named at the start. Throws Failure on a wrong size or a failed
   /// write.
   void add(const RgbPicture& picture);
-  /// Ends the file; at least one frame must have been added. Throws std::runtime_error if a write failed.
+  /// Ends the file; at least one frame must have been added. Throws Failure if a write failed.
   void finish();
 
   [[nodiscard]] std::uint32_t frames() const { return frames_; }
@@ -47,6 +47,7 @@ class ApngWriter {
   std::ofstream file_;
   std::ofstream::pos_type animation_control_{};
   int frames_per_second_;
+  bool finished_ = false;
   std::uint32_t frames_ = 0;
   std::uint32_t sequence_ = 0;
   RgbPicture last_;

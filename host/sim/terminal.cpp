@@ -2,12 +2,12 @@
 //
 // The preview on a terminal. It draws on the alternate screen, so what was there comes back, also when the
 // program is interrupted.
+#include <host/failure.hpp>
 #include <host/sim/half_blocks.hpp>
 #include <host/sim/viewer.hpp>
 
 #include <csignal>
 #include <poll.h>
-#include <stdexcept>
 #include <string_view>
 #include <sys/ioctl.h>
 #include <termios.h>
@@ -88,7 +88,7 @@ class Terminal final : public Viewer {
 bool terminal_possible() { return isatty(STDOUT_FILENO) == 1; }
 
 std::unique_ptr<Viewer> open_terminal() {
-  if (!terminal_possible()) throw std::runtime_error("--terminal: standard output is no terminal");
+  if (!terminal_possible()) throw Failure("--terminal: standard output is no terminal");
   return std::make_unique<Terminal>();
 }
 

@@ -24,12 +24,12 @@ class Viewer {
 /// True if this build has windows and a display is there to open them on.
 [[nodiscard]] bool window_possible();
 /// A window of the picture's size times `scale` (0: as large as suits the screen). Ends with Escape, Q or the
-/// window's close button. Throws std::runtime_error if it can't be opened.
+/// window's close button. Throws Failure if it can't be opened.
 [[nodiscard]] std::unique_ptr<Viewer> open_window(const std::string& title, int width, int height, int scale);
 
 /// True if standard output is a terminal.
 [[nodiscard]] bool terminal_possible();
-/// A preview on the terminal; ends with any key. Throws std::runtime_error if standard output is no terminal.
+/// A preview on the terminal; ends with any key. Throws Failure if standard output is no terminal.
 [[nodiscard]] std::unique_ptr<Viewer> open_terminal();
 
 }  // namespace host

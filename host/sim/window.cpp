@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
 // The simulator's window, in whole multiples of a pixel.
+#include <host/failure.hpp>
 #include <host/sim/viewer.hpp>
 
 #include <SDL.h>
 #include <algorithm>
 #include <cstdlib>
-#include <stdexcept>
 
 namespace host {
 
@@ -22,7 +22,7 @@ struct Release {
 };
 
 [[noreturn]] void fail(const std::string& what) {
-  throw std::runtime_error("cannot open a window: " + what + ": " + SDL_GetError());
+  throw Failure("cannot open a window: " + what + ": " + SDL_GetError());
 }
 
 class Window final : public Viewer {
@@ -63,6 +63,12 @@ class Window final : public Viewer {
       SDL_SetHint(SDL_HINT_RENDER_SCALE_QUALITY, "nearest");
       SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
       if (SDL_InitSubSystem(SDL_INIT_VIDEO) != 0) fail("display");
+      // Without a display SDL falls back to windows that no one can see, nor close.
+      const std::string driver = SDL_GetCurrentVideoDriver();
+      if (std::getenv("SDL_VIDEODRIVER") == nullptr && (driver == "dummy" || driver == "offscreen")) {
+        SDL_Quit();
+        throw Failure("--window: there is no display");
+      }
     }
     ~Video() { SDL_Quit(); }
     Video(const Video&) = delete;

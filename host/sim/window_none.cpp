@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Stands in for window.cpp in a build without SDL2.
+#include <host/failure.hpp>
 #include <host/sim/viewer.hpp>
-
-#include <stdexcept>
 
 namespace host {
 
@@ -11,7 +10,7 @@ bool window_possible() { return false; }
 
 std::unique_ptr<Viewer> open_window(const std::string& /*title*/, int /*width*/, int /*height*/,
                                     int /*scale*/) {
-  throw std::runtime_error("--window: this build has no windows (SDL2 was missing when it was configured)");
+  throw Failure("--window: this build has no windows (SDL2 was missing when it was configured)");
 }
 
 }  // namespace host

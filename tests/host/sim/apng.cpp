@@ -177,6 +177,15 @@ TEST(Apng, ReaderSeesADamagedByte) {
   EXPECT_THROW(play(bytes), std::runtime_error);
 }
 
+TEST(Apng, AnUnfinishedFileGoesAway) {
+  const TemporaryFile file("unfinished.png");
+  {
+    ApngWriter writer(file.path(), 4, 4, 60);
+    writer.add(RgbPicture(4, 4));
+  }
+  EXPECT_FALSE(std::filesystem::exists(file.path()));
+}
+
 TEST(Apng, RefusesWhatItCannotDo) {
   EXPECT_THROW(ApngWriter("/no/such/folder/x.png", 4, 4, 60), std::runtime_error);
   const TemporaryFile file("refused.png");

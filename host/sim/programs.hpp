@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+//
+// The entries of the list of programs, a source file each, for each is compiled for every pixel format.
+#pragma once
+
+#include <host/sim/program.hpp>
+
+namespace host {
+
+extern const Program testcard_program;
+
+}  // namespace host

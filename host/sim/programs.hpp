@@ -7,6 +7,7 @@
 
 namespace host {
 
+extern const Program gauges_program;
 extern const Program testcard_program;
 
 }  // namespace host

@@ -103,6 +103,11 @@ class Panel {
   virtual Status do_load_palette(std::span<const std::uint8_t> palette) noexcept = 0;
   [[nodiscard]] virtual std::uint32_t do_vblank_count() noexcept = 0;
   virtual Status do_wait_for_vblank() noexcept = 0;
+  /// A public call was refused on account of its arguments, before the driver saw it: test doubles report it.
+  virtual void do_refused(Status) noexcept {}
+
+  Status refuse(Error error, Part part) noexcept;
+  Status check_palette(std::span<const std::uint8_t> palette) noexcept;
 };
 
 }  // namespace hal

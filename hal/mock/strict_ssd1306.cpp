@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include <hal/mock/strict_ssd1306.hpp>
+
+namespace hal::mock {
+
+StrictSsd1306::StrictSsd1306(int width, int height, int column_offset, std::uint8_t i2c_address)
+    : StrictController(i2c_address), width_(width), height_(height), column_offset_(column_offset) {
+  unsigned noise = 54321;
+  for (int i = 0; i < columns * pages; ++i) {
+    noise = noise * 1103515245U + 12345U;
+    memory_.push_back(static_cast<std::uint8_t>(noise >> 16U));
+  }
+}
+
+int StrictSsd1306::parameters(std::uint8_t command) const {
+  const auto between = [command](int low, int high) { return command >= low && command <= high; };
+  if (between(0x00, 0x1F) || between(0x40, 0x7F) || between(0xB0, 0xB7)) return 0;
+  switch (command) {
+    case 0x2E:
+    case 0x2F:
+    case 0xA0:
+    case 0xA1:
+    case 0xA4:
+    case 0xA5:
+    case 0xA6:
+    case 0xA7:
+    case 0xAE:
+    case 0xAF:
+    case 0xC0:
+    case 0xC8:
+    case 0xE3:
+      return 0;
+    case 0x20:
+    case 0x81:
+    case 0x8D:
+    case 0xA8:
+    case 0xAD:
+    case 0xD3:
+    case 0xD5:
+    case 0xD9:
+    case 0xDA:
+    case 0xDB:
+      return 1;
+    case 0x21:
+    case 0x22:
+      return 2;
+    default:
+      return -1;
+  }
+}
+
+void StrictSsd1306::execute(std::uint8_t command, const std::vector<std::uint8_t>& given) {
+  if (command <= 0x0F) {
+    column_ = (column_ & 0xF0) | command;
+  } else if (command <= 0x1F) {
+    column_ = (column_ & 0x0F) | (command & 0x0F) << 4;
+  } else if (command >= 0x40 && command <= 0x7F) {
+    start_line_ = command & 63;
+  } else if (command >= 0xB0 && command <= 0xB7) {
+    page_ = command & 7;
+  } else if (command == 0x20) {
+    if (in_range(command, given[0], 0, 2)) addressing_ = static_cast<Addressing>(given[0]);
+  } else if (command == 0x21) {
+    if (in_range(command, given[0], 0, columns - 1) && in_range(command, given[1], given[0], columns - 1)) {
+      column_ = column_begin_ = given[0];
+      column_end_ = given[1];
+    }
+  } else if (command == 0x22) {
+    if (in_range(command, given[0], 0, pages - 1) && in_range(command, given[1], given[0], pages - 1)) {
+      page_ = page_begin_ = given[0];
+      page_end_ = given[1];
+    }
+  } else if (command == 0xA8) {
+    in_range(command, given[0], 15, 63);
+  } else if (command == 0xD3) {
+    in_range(command, given[0], 0, 63);
+  } else if (command == 0xA0 || command == 0xA1) {
+    segments_reversed_ = command == 0xA1;
+  } else if (command == 0xA4 || command == 0xA5) {
+    all_on_ = command == 0xA5;
+  } else if (command == 0xA6 || command == 0xA7) {
+    inverse_ = command == 0xA7;
+  } else if (command == 0xAE || command == 0xAF) {
+    on_ = command == 0xAF;
+  } else if (command == 0xC0 || command == 0xC8) {
+    rows_reversed_ = command == 0xC8;
+  }
+}
+
+void StrictSsd1306::store(std::uint8_t byte) {
+  if (column_ >= columns) {
+    breach("data beyond the end of page " + std::to_string(page_));
+    return;
+  }
+  memory_[static_cast<std::size_t>(page_ * columns + column_)] = byte;
+  const auto step = [](int& at, int begin, int end) {
+    if (++at <= end) return false;
+    at = begin;
+    return true;
+  };
+  switch (addressing_) {
+    case Addressing::page:
+      ++column_;
+      break;
+    case Addressing::horizontal:
+      if (step(column_, column_begin_, column_end_)) step(page_, page_begin_, page_end_);
+      break;
+    case Addressing::vertical:
+      if (step(page_, page_begin_, page_end_)) step(column_, column_begin_, column_end_);
+      break;
+  }
+}
+
+Pattern StrictSsd1306::memory() const {
+  Pattern picture = Pattern::blank(width_, height_);
+  for (int y = 0; y < height_; ++y)
+    for (int x = 0; x < width_; ++x) {
+      const int row = (y + start_line_) % 64;
+      const auto place = static_cast<std::size_t>(row / 8 * columns + x + column_offset_);
+      picture.at(x, y) = memory_[place] >> static_cast<unsigned>(row % 8) & 1;
+    }
+  return picture;
+}
+
+Pattern StrictSsd1306::displayed() const {
+  Pattern picture = Pattern::blank(width_, height_);
+  if (!on_) return picture;
+  const Pattern stored = memory();
+  for (int y = 0; y < height_; ++y)
+    for (int x = 0; x < width_; ++x) {
+      // The usual 128-column glass is mounted for reversed segments and rows, the 96-column one of the
+      // SSD0303 for reversed rows only.
+      const bool mirrored = width_ >= 128 && !segments_reversed_;
+      const int from_x = mirrored ? width_ - 1 - x : x;
+      const int from_y = rows_reversed_ ? y : height_ - 1 - y;
+      const int lit = all_on_ ? 1 : stored.at(from_x, from_y);
+      picture.at(x, y) = inverse_ ? 1 - lit : lit;
+    }
+  return picture;
+}
+
+}  // namespace hal::mock

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+//
+// An SSD1306, SH1106 or SSD0303 with its glass, as the data sheets describe them: display memory in pages of
+// eight rows, a byte a column with bit 0 on top; page, horizontal and vertical addressing.
+// Besides what every strict controller reports: running over the end of a page in page addressing mode.
+#pragma once
+
+#include <hal/mock/strict_controller.hpp>
+
+namespace hal::mock {
+
+class StrictSsd1306 final : public StrictController {
+ public:
+  /// A glass of width x height pixels whose first column is memory column `column_offset`.
+  StrictSsd1306(int width, int height, int column_offset = 0, std::uint8_t i2c_address = 0x3C);
+  ~StrictSsd1306() override = default;
+
+  [[nodiscard]] Pattern displayed() const override;
+  /// The same whether or not the display is on.
+  [[nodiscard]] Pattern memory() const;
+  [[nodiscard]] bool on() const { return on_; }
+
+ private:
+  static constexpr int columns = 132;
+  static constexpr int pages = 8;
+  enum class Addressing : std::uint8_t { horizontal, vertical, page };
+
+  [[nodiscard]] int parameters(std::uint8_t command) const override;
+  void execute(std::uint8_t command, const std::vector<std::uint8_t>& parameters) override;
+  void store(std::uint8_t byte) override;
+
+  int width_;
+  int height_;
+  int column_offset_;
+  std::vector<std::uint8_t> memory_;
+  Addressing addressing_ = Addressing::page;
+  int column_ = 0;
+  int page_ = 0;
+  int column_begin_ = 0, column_end_ = columns - 1, page_begin_ = 0, page_end_ = pages - 1;
+  int start_line_ = 0;
+  bool segments_reversed_ = false;
+  bool rows_reversed_ = false;
+  bool inverse_ = false;
+  bool all_on_ = false;
+  bool on_ = false;
+};
+
+}  // namespace hal::mock

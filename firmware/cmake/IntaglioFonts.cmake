@@ -20,7 +20,7 @@ function(intaglio_assets_command result depends)
         PREFIX ${folder}/external
         CMAKE_ARGS -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE=-O2\ -DNDEBUG -DINTAGLIO_BUILD_TESTS=OFF
                    -DINTAGLIO_BUILD_FONTS=OFF -DINTAGLIO_INSTALL=OFF -DINTAGLIO_BUILD_HOST=ON
-        BUILD_COMMAND ${CMAKE_COMMAND} --build ${folder} --target intaglio_assets
+        BUILD_COMMAND ${CMAKE_COMMAND} --build ${folder} --target intaglio-assets
         BUILD_ALWAYS ON
         BUILD_BYPRODUCTS ${folder}/bin/intaglio-assets
         INSTALL_COMMAND ""
@@ -29,8 +29,8 @@ function(intaglio_assets_command result depends)
     set(${result} ${folder}/bin/intaglio-assets PARENT_SCOPE)
     set(${depends} intaglio_native_tools ${folder}/bin/intaglio-assets PARENT_SCOPE)
   else()
-    set(${result} $<TARGET_FILE:intaglio_assets> PARENT_SCOPE)
-    set(${depends} intaglio_assets PARENT_SCOPE)
+    set(${result} $<TARGET_FILE:intaglio-assets> PARENT_SCOPE)
+    set(${depends} intaglio-assets PARENT_SCOPE)
   endif()
 endfunction()
 

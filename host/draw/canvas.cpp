@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include <host/draw/canvas.hpp>
+#include <host/draw/counting_sink.hpp>
+#include <intaglio/image/digest.hpp>
+#include <intaglio/image/surface.hpp>
+#include <intaglio/raster/circle.hpp>
+#include <intaglio/raster/disc.hpp>
+#include <intaglio/raster/line.hpp>
+#include <intaglio/raster/pixel.hpp>
+#include <intaglio/raster/rectangle.hpp>
+#include <intaglio/raster/solid.hpp>
+#include <intaglio/raster/triangle.hpp>
+#include <intaglio/text/draw_text.hpp>
+
+#include <cstddef>
+#include <utility>
+
+namespace host::draw {
+namespace {
+
+namespace image = intaglio::image;
+namespace raster = intaglio::raster;
+using intaglio::Argument;
+using intaglio::Error;
+using intaglio::Result;
+using intaglio::Status;
+
+template <class Sink>
+struct Drawer {
+  const Sink& sink;
+
+  Status operator()(const Pixel& p) const { return raster::draw_pixel(sink, p.at); }
+  Status operator()(const Line& l) const { return raster::draw_line(sink, l.from, l.to); }
+  Status operator()(const Rectangle& r) const {
+    return r.filled ? raster::fill_rect(sink, r.area) : raster::draw_rect(sink, r.area);
+  }
+  Status operator()(const Circle& c) const {
+    return c.filled ? raster::fill_disc(sink, c.centre, c.radius)
+                    : raster::draw_circle(sink, c.centre, c.radius);
+  }
+  Status operator()(const Triangle& t) const { return raster::fill_triangle(sink, t.a, t.b, t.c); }
+  Status operator()(const Polygon& p) const {
+    std::vector<raster::PolygonEdge> workspace(p.vertices.size());
+    return raster::fill_polygon(sink, p.rule, p.vertices, p.contour_lengths, workspace);
+  }
+  Status operator()(const Text& t) const {
+    return intaglio::text::draw_text(sink, *t.font, t.top_left, t.utf8);
+  }
+};
+
+template <image::PixelFormat F>
+class CanvasOf final : public Canvas {
+ public:
+  static Result<std::shared_ptr<Canvas>> create(linear::Size size) {
+    std::vector<std::uint8_t> bytes(static_cast<std::size_t>(F::row_bytes(size.width)) *
+                                    static_cast<std::size_t>(size.height));
+    const auto surface = image::Surface<F>::over(bytes, size);
+    if (!surface.ok()) return surface.status();
+    return std::shared_ptr<Canvas>(new CanvasOf(std::move(bytes), surface.value()));
+  }
+
+  Status draw(const Primitive& primitive, const Pen& pen) override {
+    const Touches counts(touches(), size().width);
+    const auto with = [&](const auto& sink) {
+      const CountingSink counting(sink, counts);
+      return std::visit(Drawer<CountingSink<std::remove_cvref_t<decltype(sink)>>>{counting}, primitive);
+    };
+    return pen.exclusive_or ? with(raster::Xor<F>(surface_, pen.index, pen.clip))
+                            : with(raster::Solid<F>(surface_, pen.index, pen.clip));
+  }
+
+  std::vector<std::uint8_t> indices() const override {
+    std::vector<std::uint8_t> all;
+    all.reserve(touched().size());
+    for (int y = 0; y < size().height; ++y)
+      for (int x = 0; x < size().width; ++x) all.push_back(static_cast<std::uint8_t>(surface_.get(x, y)));
+    return all;
+  }
+
+  std::uint32_t digest() const override { return image::digest(surface_, palette()); }
+
+ private:
+  CanvasOf(std::vector<std::uint8_t> bytes, const image::Surface<F>& surface)
+      : Canvas(surface.size(), F::max_index), bytes_(std::move(bytes)), surface_(surface) {}
+
+  std::vector<std::uint8_t> bytes_;  // moved here whole, so the surface's pointer stays good
+  image::Surface<F> surface_;
+};
+
+}  // namespace
+
+Canvas::Canvas(linear::Size size, unsigned max_index)
+    : size_(size),
+      max_index_(max_index),
+      touched_(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height)) {
+  for (unsigned index = 0; index <= max_index; ++index)
+    palette_.insert(palette_.end(), 3, static_cast<std::uint8_t>(index * 255 / max_index));
+}
+
+Result<std::shared_ptr<Canvas>> Canvas::create(linear::Size size, int bits) {
+  constexpr std::int64_t most_pixels = std::int64_t{1} << 26U;
+  if (size.width < 1 || size.height < 1) return Status{Error::empty, Argument::size};
+  if (std::int64_t{size.width} * size.height > most_pixels) return Status{Error::too_large, Argument::size};
+  switch (bits) {
+    case 1:
+      return CanvasOf<image::Indexed1>::create(size);
+    case 2:
+      return CanvasOf<image::Indexed2>::create(size);
+    case 4:
+      return CanvasOf<image::Indexed4>::create(size);
+    case 8:
+      return CanvasOf<image::Indexed8>::create(size);
+    default:
+      return Status{Error::unsupported, Argument::colour};
+  }
+}
+
+}  // namespace host::draw

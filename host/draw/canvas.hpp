@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+//
+// What the drawing language draws on: a surface of any of the four depths, whose every write is counted.
+#pragma once
+
+#include <intaglio/linear/rect.hpp>
+#include <intaglio/raster/polygon.hpp>
+#include <intaglio/status.hpp>
+#include <intaglio/text/font.hpp>
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace host::draw {
+
+namespace linear = intaglio::linear;
+
+// The primitives, with the library's own arguments.
+struct Pixel {
+  linear::Point at;
+};
+struct Line {
+  linear::Point from, to;
+};
+struct Rectangle {
+  linear::Rect area;
+  bool filled = false;
+};
+struct Circle {
+  linear::Point centre;
+  int radius = 0;
+  bool filled = false;
+};
+struct Triangle {
+  linear::SubPoint a, b, c;
+};
+struct Polygon {
+  intaglio::raster::FillRule rule{};
+  std::vector<linear::SubPoint> vertices;
+  std::vector<int> contour_lengths;
+};
+struct Text {
+  const intaglio::text::Font* font = nullptr;
+  linear::Point top_left;
+  std::string utf8;
+};
+using Primitive = std::variant<Pixel, Line, Rectangle, Circle, Triangle, Polygon, Text>;
+
+/// How primitives are drawn.
+struct Pen {
+  unsigned index = 0;
+  bool exclusive_or = false;
+  linear::Rect clip{};  ///< Where it draws.
+};
+
+class Canvas {
+ public:
+  /// A black canvas. Error: as `image::Surface::over`.
+  static intaglio::Result<std::shared_ptr<Canvas>> create(linear::Size size, int bits);
+
+  virtual ~Canvas() = default;
+  Canvas(const Canvas&) = delete;
+  Canvas& operator=(const Canvas&) = delete;
+
+  [[nodiscard]] virtual intaglio::Status draw(const Primitive& primitive, const Pen& pen) = 0;
+  /// One index a pixel, row by row.
+  [[nodiscard]] virtual std::vector<std::uint8_t> indices() const = 0;
+  /// The frame digest (`image/digest.hpp`) with the present palette.
+  [[nodiscard]] virtual std::uint32_t digest() const = 0;
+
+  [[nodiscard]] linear::Size size() const { return size_; }
+  [[nodiscard]] unsigned max_index() const { return max_index_; }
+  /// How often each pixel was written, row by row, saturated at 255.
+  [[nodiscard]] const std::vector<std::uint8_t>& touched() const { return touched_; }
+  /// RGBRGB…, one entry an index; a grey ramp from black to white at first.
+  [[nodiscard]] std::vector<std::uint8_t>& palette() { return palette_; }
+  [[nodiscard]] const std::vector<std::uint8_t>& palette() const { return palette_; }
+
+ protected:
+  Canvas(linear::Size size, unsigned max_index);
+  [[nodiscard]] std::vector<std::uint8_t>& touches() { return touched_; }
+
+ private:
+  linear::Size size_;
+  unsigned max_index_;
+  std::vector<std::uint8_t> touched_;
+  std::vector<std::uint8_t> palette_;
+};
+
+}  // namespace host::draw

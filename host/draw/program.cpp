@@ -1,0 +1,322 @@
+// SPDX-License-Identifier: MIT
+#include <host/draw/decimal.hpp>
+#include <host/draw/program.hpp>
+#include <host/draw/words.hpp>
+#include <host/failure.hpp>
+#include <intaglio/status_text.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <intaglio_fonts/digits_16.hpp>
+#include <intaglio_fonts/digits_28.hpp>
+#include <intaglio_fonts/digits_48.hpp>
+#include <intaglio_fonts/fixed_5x8.hpp>
+#include <intaglio_fonts/fixed_6x13.hpp>
+#include <intaglio_fonts/sans_11.hpp>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace host::draw {
+namespace {
+
+using intaglio::Status;
+using intaglio::raster::FillRule;
+using intaglio::text::Font;
+using linear::Point;
+using linear::SubPoint;
+
+constexpr std::array<std::pair<std::string_view, const Font*>, 6> fonts{{
+    {"fixed_5x8", &intaglio::fonts::fixed_5x8},
+    {"fixed_6x13", &intaglio::fonts::fixed_6x13},
+    {"sans_11", &intaglio::fonts::sans_11},
+    {"digits_16", &intaglio::fonts::digits_16},
+    {"digits_28", &intaglio::fonts::digits_28},
+    {"digits_48", &intaglio::fonts::digits_48},
+}};
+
+/// What is wrong, in the library's words.
+std::string in_words(Status status) {
+  std::string words = fmt::format("{} {}", to_text(status.argument()), to_text(status.error()));
+  constexpr std::uint32_t saturated = (1U << 20U) - 1;
+  if (status.needed() != 0 && status.needed() != saturated)
+    words += fmt::format(" (limit {})", status.needed());
+  return words;
+}
+
+/// A reader of one command's arguments; the names of the arguments are for messages.
+class Arguments {
+ public:
+  explicit Arguments(std::span<const Word> words) : words_(words) {}
+
+  [[nodiscard]] std::size_t left() const { return words_.size(); }
+  [[nodiscard]] bool next_is(std::string_view text) const {
+    return !words_.empty() && !words_.front().quoted && words_.front().text == text;
+  }
+
+  /// The next word as it is.
+  const Word& word(std::string_view name) {
+    if (words_.empty()) throw Failure(fmt::format("{} is missing", name));
+    const Word& first = words_.front();
+    words_ = words_.subspan(1);
+    return first;
+  }
+
+  int whole(std::string_view name) {
+    const Word& w = word(name);
+    const auto value = w.quoted ? std::nullopt : parse_whole(w.text);
+    if (!value) {
+      const bool decimal = !w.quoted && parse_subpixel(w.text).has_value();
+      throw Failure(fmt::format("{} must be a {}number, not '{}'", name, decimal ? "whole " : "", w.text));
+    }
+    return *value;
+  }
+
+  int whole(std::string_view name, int low, int high) {
+    const int value = whole(name);
+    if (value < low || value > high)
+      throw Failure(fmt::format("{} must be {} to {}, not {}", name, low, high, value));
+    return value;
+  }
+
+  int subpixel(std::string_view name) {
+    const Word& w = word(name);
+    const auto value = w.quoted ? std::nullopt : parse_subpixel(w.text);
+    if (!value) throw Failure(fmt::format("{} must be a number, not '{}'", name, w.text));
+    return *value;
+  }
+
+  Point point(std::string_view x, std::string_view y) {
+    const int first = whole(x);
+    return {first, whole(y)};
+  }
+  SubPoint subpoint() {
+    const int x = subpixel("x");
+    return {x, subpixel("y")};
+  }
+  linear::Rect rectangle() {
+    const Point corner = point("x", "y");
+    const int width = whole("width");
+    return {corner.x, corner.y, width, whole("height")};
+  }
+
+  void end() const {
+    if (!words_.empty()) throw Failure(fmt::format("'{}' is one argument too many", words_.front().text));
+  }
+
+ private:
+  std::span<const Word> words_;
+};
+
+class Interpreter {
+ public:
+  void run(std::string_view name, Arguments arguments) {
+    const auto command = std::find_if(commands.begin(), commands.end(),
+                                      [&](const auto& candidate) { return candidate.first == name; });
+    if (command == commands.end()) throw Failure(fmt::format("unknown command '{}'", name));
+    const bool is_surface = name == "surface";
+    if (!canvas_ && !is_surface) throw Failure("the first command must be 'surface'");
+    if (canvas_ && is_surface) throw Failure("a second surface");
+    try {
+      (this->*command->second)(arguments);
+      arguments.end();
+      if (pending_) draw();
+    } catch (const Failure& failure) {
+      throw Failure(fmt::format("{}: {}", name, failure.what()));
+    }
+  }
+
+  std::shared_ptr<const Canvas> canvas() const { return canvas_; }
+
+ private:
+  void surface(Arguments& in) {
+    const int width = in.whole("width");
+    const int height = in.whole("height");
+    const int bits = in.whole("bits");
+    if (bits != 1 && bits != 2 && bits != 4 && bits != 8)
+      throw Failure(fmt::format("bits must be 1, 2, 4 or 8, not {}", bits));
+    const auto made = Canvas::create({width, height}, bits);
+    if (!made.ok()) throw Failure(in_words(made.status()));
+    canvas_ = made.value();
+    pen_.index = canvas_->max_index();
+    pen_.clip = {0, 0, width, height};
+  }
+
+  void palette(Arguments& in) {
+    const int index = in.whole("index", 0, last_index());
+    for (std::size_t channel = 0; const std::string_view name : {"red", "green", "blue"})
+      colours_[static_cast<std::size_t>(channel++)] = static_cast<std::uint8_t>(in.whole(name, 0, 255));
+    in.end();
+    std::copy(colours_.begin(), colours_.end(), canvas_->palette().begin() + 3 * index);
+  }
+
+  void colour(Arguments& in) { pen_.index = static_cast<unsigned>(in.whole("index", 0, last_index())); }
+
+  void mode(Arguments& in) {
+    const std::string& word = in.word("mode").text;
+    if (word != "set" && word != "xor") throw Failure(fmt::format("must be set or xor, not '{}'", word));
+    pen_.exclusive_or = word == "xor";
+  }
+
+  void clip(Arguments& in) {
+    if (in.left() == 1 && in.next_is("none")) {
+      (void)in.word("none");
+      pen_.clip = {0, 0, canvas_->size().width, canvas_->size().height};
+      return;
+    }
+    const linear::Rect area = in.rectangle();
+    if (!linear::in_domain(area)) throw Failure("rectangle out of domain");
+    pen_.clip = area;
+  }
+
+  void font(Arguments& in) {
+    const std::string& word = in.word("name").text;
+    for (const auto& [name, candidate] : fonts)
+      if (name == word) {
+        font_ = candidate;
+        return;
+      }
+    std::string names;
+    for (const auto& [name, candidate] : fonts) names += fmt::format(" {}", name);
+    throw Failure(fmt::format("no font '{}'; there are{}", word, names));
+  }
+
+  void pixel(Arguments& in) { pending_ = Pixel{in.point("x", "y")}; }
+  void line(Arguments& in) {
+    const Point from = in.point("x0", "y0");
+    pending_ = Line{from, in.point("x1", "y1")};
+  }
+  void rect(Arguments& in) { pending_ = Rectangle{in.rectangle(), false}; }
+  void fillrect(Arguments& in) { pending_ = Rectangle{in.rectangle(), true}; }
+  void circle(Arguments& in) { pending_ = round(in, false); }
+  void disc(Arguments& in) { pending_ = round(in, true); }
+  void triangle(Arguments& in) {
+    const SubPoint a = in.subpoint();
+    const SubPoint b = in.subpoint();
+    pending_ = Triangle{a, b, in.subpoint()};
+  }
+
+  void polygon(Arguments& in) {
+    Polygon polygon;
+    const std::string& rule = in.word("rule").text;
+    if (rule != "evenodd" && rule != "nonzero")
+      throw Failure(fmt::format("the rule must be evenodd or nonzero, not '{}'", rule));
+    polygon.rule = rule == "evenodd" ? FillRule::even_odd : FillRule::non_zero;
+    std::size_t contour_begin = 0;
+    const auto end_contour = [&] {
+      const std::size_t length = polygon.vertices.size() - contour_begin;
+      if (length < 3) throw Failure(fmt::format("a contour needs 3 vertices, this has {}", length));
+      polygon.contour_lengths.push_back(static_cast<int>(length));
+      contour_begin = polygon.vertices.size();
+    };
+    while (in.left() > 0) {
+      if (in.next_is("/")) {
+        (void)in.word("/");
+        end_contour();
+      } else {
+        polygon.vertices.push_back(in.subpoint());
+      }
+    }
+    end_contour();
+    pending_ = std::move(polygon);
+  }
+
+  void text(Arguments& in) {
+    const Point top_left = in.point("x", "y");
+    const Word& string = in.word("text");
+    if (!string.quoted) throw Failure(fmt::format("the text must stand in quotes, not '{}'", string.text));
+    pending_ = Text{font_, top_left, string.text};
+  }
+
+  static Circle round(Arguments& in, bool filled) {
+    const Point centre = in.point("x", "y");
+    return {centre, in.whole("radius"), filled};
+  }
+
+  void draw() {
+    const Status status = canvas_->draw(*pending_, pen_);
+    pending_.reset();
+    if (!status.ok()) throw Failure(in_words(status));
+  }
+
+  [[nodiscard]] int last_index() const { return static_cast<int>(canvas_->max_index()); }
+
+  using Method = void (Interpreter::*)(Arguments&);
+  static constexpr std::array<std::pair<std::string_view, Method>, 16> commands{{
+      {"surface", &Interpreter::surface},
+      {"palette", &Interpreter::palette},
+      {"color", &Interpreter::colour},
+      {"colour", &Interpreter::colour},
+      {"mode", &Interpreter::mode},
+      {"clip", &Interpreter::clip},
+      {"font", &Interpreter::font},
+      {"pixel", &Interpreter::pixel},
+      {"line", &Interpreter::line},
+      {"rect", &Interpreter::rect},
+      {"fillrect", &Interpreter::fillrect},
+      {"circle", &Interpreter::circle},
+      {"disc", &Interpreter::disc},
+      {"triangle", &Interpreter::triangle},
+      {"polygon", &Interpreter::polygon},
+      {"text", &Interpreter::text},
+  }};
+
+  std::shared_ptr<Canvas> canvas_;
+  Pen pen_;
+  const Font* font_ = &intaglio::fonts::fixed_6x13;
+  std::array<std::uint8_t, 3> colours_{};
+  std::optional<Primitive> pending_;
+};
+
+}  // namespace
+
+std::string_view language_help() {
+  return R"(The drawing language, one command a line, # begins a comment:
+  surface W H BITS           the first command: width, height, 1, 2, 4 or 8 bits a pixel
+  palette INDEX R G B        0..255 each; at first a grey ramp, index 0 black, the last white
+  color INDEX                what is drawn with (or colour); at first the last index
+  mode set|xor               store the index, or exclusive-or it into what is there
+  clip X Y W H | clip none   draw only inside
+  pixel X Y
+  line X0 Y0 X1 Y1           both ends included
+  rect X Y W H               outline; fillrect: filled
+  circle X Y R               outline; disc: filled, outline included
+  triangle X Y X Y X Y       filled
+  polygon evenodd|nonzero X Y X Y X Y ... [/ X Y ...]
+                             filled; / begins another contour (a hole, an island)
+  font NAME                  fixed_6x13 (the default), fixed_5x8, sans_11, digits_16, digits_28, digits_48
+  text X Y "UTF-8"           top left of the text; escapes \" \\ and \n (next line)
+The surface is black (index 0) at first. Coordinates are whole pixels up to 2^20 either way, and may lie outside
+the surface. Those of triangle and polygon may be decimal; they are rounded to the nearest 1/256, halves away
+from zero. An error says `line N: ...`, nothing is written then, and the exit code is 1.)";
+}
+
+std::shared_ptr<const Canvas> draw_program(std::string_view source) {
+  Interpreter interpreter;
+  std::size_t number = 0;
+  while (!source.empty()) {
+    ++number;
+    const auto end = source.find('\n');
+    const std::string_view line = source.substr(0, end);
+    source = end == std::string_view::npos ? std::string_view{} : source.substr(end + 1);
+    try {
+      const std::vector<Word> words = split_words(line);
+      if (words.empty()) continue;
+      if (words.front().quoted) throw Failure("a command must not stand in quotes");
+      interpreter.run(words.front().text, Arguments(std::span(words).subspan(1)));
+    } catch (const Failure& failure) {
+      throw Failure(fmt::format("line {}: {}", number, failure.what()));
+    }
+  }
+  if (!interpreter.canvas()) throw Failure(fmt::format("line {}: no surface command", number + 1));
+  return interpreter.canvas();
+}
+
+}  // namespace host::draw

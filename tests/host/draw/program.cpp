@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: MIT
+//
+// Every command of the drawing language against an oracle or a picture that can be read, and every message.
+#include <host/draw/program.hpp>
+#include <host/failure.hpp>
+#include <tests/oracle/circle.hpp>
+#include <tests/oracle/line.hpp>
+#include <tests/oracle/polygon.hpp>
+#include <tests/oracle/text.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <functional>
+#include <intaglio_fonts/fixed_6x13.hpp>
+#include <intaglio_fonts/sans_11.hpp>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace {
+
+using host::draw::Canvas;
+using host::draw::draw_program;
+
+constexpr int width = 50;
+constexpr int height = 40;
+
+/// Draws on 50x40 pixels of 4 bits with index 15, after `before`.
+std::shared_ptr<const Canvas> draw(const std::string& commands) {
+  return draw_program("surface 50 40 4\n" + commands + "\n");
+}
+
+/// Exactly the pixels of the predicate have index 15 and were written once; the others weren't written.
+void expect_pixels(const std::string& commands, const std::function<bool(int, int)>& inside) {
+  const auto canvas = draw(commands);
+  std::vector<std::uint8_t> indices;
+  std::vector<std::uint8_t> touched;
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      indices.push_back(inside(x, y) ? 15 : 0);
+      touched.push_back(inside(x, y) ? 1 : 0);
+    }
+  EXPECT_EQ(canvas->indices(), indices) << commands;
+  EXPECT_EQ(canvas->touched(), touched) << commands;
+}
+
+TEST(Draw, Pixel) {
+  expect_pixels("pixel 3 4", [](int x, int y) { return x == 3 && y == 4; });
+  expect_pixels("pixel 50 4\npixel -1 0\npixel 1048576 -1048576", [](int, int) { return false; });
+}
+
+TEST(Draw, Line) {
+  expect_pixels("line 2 3 45 17", [](int x, int y) { return oracle::on_line(2, 3, 45, 17, x, y); });
+  expect_pixels("line 30000 20000 -1000 -900",
+                [](int x, int y) { return oracle::on_line(30000, 20000, -1000, -900, x, y); });
+}
+
+TEST(Draw, Rectangles) {
+  const auto in = [](int x, int y) { return x >= 5 && x < 12 && y >= 6 && y < 10; };
+  expect_pixels("fillrect 5 6 7 4", in);
+  expect_pixels("rect 5 6 7 4",
+                [&](int x, int y) { return in(x, y) && (x == 5 || x == 11 || y == 6 || y == 9); });
+  expect_pixels("fillrect -1000 -1000 2000 1010", [](int, int y) { return y < 10; });
+  expect_pixels("fillrect 5 6 0 4\nrect 5 6 7 -4", [](int, int) { return false; });
+}
+
+TEST(Draw, CircleAndDisc) {
+  expect_pixels("circle 20 18 13", [](int x, int y) { return oracle::on_circle(13, x - 20, y - 18); });
+  expect_pixels("disc 20 18 25",
+                [](int x, int y) { return std::abs(x - 20) <= oracle::outline_reach(25, y - 18); });
+  expect_pixels("disc 7 9 0", [](int x, int y) { return x == 7 && y == 9; });
+}
+
+TEST(Draw, TriangleTakesDecimals) {
+  expect_pixels("triangle 1.5 2.25 40 5 -3.00390625 38.75", [](int x, int y) {
+    return oracle::in_triangle({384, 576}, {10240, 1280}, {-769, 9920}, x, y);
+  });
+}
+
+TEST(Draw, PolygonByBothRulesAndWithContours) {
+  const oracle::Contours star{{{5120, 256}, {7936, 9216}, {512, 3584}, {9984, 3584}, {2304, 9216}}};
+  const std::string vertices = "20 1 31 36 2 14 39 14 9 36";
+  expect_pixels("polygon evenodd " + vertices,
+                [&](int x, int y) { return oracle::in_polygon(star, true, x, y); });
+  expect_pixels("polygon nonzero " + vertices,
+                [&](int x, int y) { return oracle::in_polygon(star, false, x, y); });
+  const oracle::Contours holed{{{0, 0}, {12800, 0}, {12800, 10240}, {0, 10240}},
+                               {{2560, 2560}, {2560, 7680}, {7808, 5120}}};
+  expect_pixels("polygon evenodd 0 0 50 0 50 40 0 40 / 10 10 10 30 30.5 20",
+                [&](int x, int y) { return oracle::in_polygon(holed, true, x, y); });
+}
+
+TEST(Draw, TextInTheNamedFontWithEscapes) {
+  const oracle::Utf8 utf8;
+  const auto expect_text = [&](const std::string& commands, const intaglio::text::Font& font, int x0, int y0,
+                               std::string_view text) {
+    const oracle::Touches touches =
+        oracle::text_pixels(utf8, font.tables(), x0, y0, text, {0, 0, width, height});
+    EXPECT_FALSE(touches.empty());
+    expect_pixels(commands, [&](int x, int y) { return touches.contains({y, x}); });
+  };
+  expect_text("text 5 12 \"Hello, wörld\"", intaglio::fonts::fixed_6x13, 5, 12, "Hello, wörld");
+  expect_text("text -3 2 \"a\\\"b\\\\\\nc #d\" # comment", intaglio::fonts::fixed_6x13, -3, 2,
+              "a\"b\\\nc #d");
+  expect_text("font sans_11\ntext 1 1 \"Il \xFF\"", intaglio::fonts::sans_11, 1, 1, "Il \xFF");
+  expect_pixels("text 1 1 \"\"", [](int, int) { return false; });
+}
+
+TEST(Draw, ClipRestrictsAndNoneResets) {
+  expect_pixels("clip 10 5 4 3\nfillrect 0 0 50 40",
+                [](int x, int y) { return x >= 10 && x < 14 && y >= 5 && y < 8; });
+  expect_pixels("clip 10 5 4 3\nclip none\nfillrect 0 0 50 40", [](int, int) { return true; });
+  expect_pixels("clip 100 100 4 3\nfillrect 0 0 50 40", [](int, int) { return false; });
+}
+
+TEST(Draw, ColourAndModeDecideWhatIsStored) {
+  const auto canvas = draw_program(
+      "surface 4 1 2\n"
+      "color 1\nfillrect 0 0 3 1\n"
+      "mode xor\ncolour 3\nfillrect 1 0 3 1\n"
+      "mode set\ncolor 0\npixel 3 0\n");
+  EXPECT_EQ(canvas->indices(), (std::vector<std::uint8_t>{1, 2, 2, 0}));
+  EXPECT_EQ(canvas->touched(), (std::vector<std::uint8_t>{1, 2, 2, 2}));
+}
+
+TEST(Draw, XorTwiceLeavesNothingInEveryDepth) {
+  for (const int bits : {1, 2, 4, 8}) {
+    const std::string surface = "surface 61 47 " + std::to_string(bits) + "\nmode xor\n";
+    const std::string shapes =
+        "disc 20 20 15\nline -5 3 70 40\ncircle 40 30 12\npolygon nonzero 3 3 50.5 9 20 44\n"
+        "text 4 30 \"xor Ü\"\nrect 2 2 40 30\ntriangle 0 0 60 10 30 46\n";
+    const auto once = draw_program(surface + shapes);
+    const auto twice = draw_program(surface + shapes + shapes);
+    EXPECT_NE(once->indices(), std::vector<std::uint8_t>(61 * 47, 0));
+    EXPECT_EQ(twice->indices(), std::vector<std::uint8_t>(61 * 47, 0)) << bits;
+  }
+}
+
+TEST(Draw, PaletteBeginsAsAGreyRampAndTakesColours) {
+  EXPECT_EQ(draw_program("surface 1 1 1")->palette(), (std::vector<std::uint8_t>{0, 0, 0, 255, 255, 255}));
+  EXPECT_EQ(draw_program("surface 1 1 2\npalette 1 255 128 0")->palette(),
+            (std::vector<std::uint8_t>{0, 0, 0, 255, 128, 0, 170, 170, 170, 255, 255, 255}));
+  EXPECT_EQ(draw_program("surface 1 1 8")->palette().size(), 768U);
+}
+
+TEST(Draw, TouchesSaturateAt255) {
+  std::string source = "surface 2 1 1\n";
+  for (int i = 0; i < 300; ++i) source += "pixel 1 0\n";
+  EXPECT_EQ(draw_program(source)->touched(), (std::vector<std::uint8_t>{0, 255}));
+}
+
+TEST(Draw, CommentsBlankLinesTabsAndCarriageReturnsAreSkipped) {
+  const auto canvas =
+      draw_program("# a picture\r\n\r\n \t\nsurface\t2  1 1 # two pixels\r\n  pixel 1 0#here");
+  EXPECT_EQ(canvas->indices(), (std::vector<std::uint8_t>{0, 1}));
+}
+
+// The digest is CRC-32 of size, palette and indices; computed bit by bit here.
+TEST(Draw, DigestIsTheCrcOfSizePaletteAndIndices) {
+  const auto canvas = draw_program("surface 3 2 1\npixel 1 1");
+  const std::vector<std::uint8_t> bytes{3, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 255, 255, 255, 0, 0, 0, 0, 1, 0};
+  std::uint32_t crc = 0xFFFFFFFF;
+  for (const std::uint8_t byte : bytes) {
+    crc ^= byte;
+    for (int bit = 0; bit < 8; ++bit) crc = crc / 2 ^ (crc % 2 != 0 ? 0xEDB88320U : 0U);
+  }
+  EXPECT_EQ(canvas->digest(), ~crc);
+}
+
+struct Mistake {
+  const char* source;
+  const char* message;
+};
+
+// Each after `surface 50 40 4` on line 1, but for those that are about the surface.
+TEST(DrawErrors, SayTheLineTheCommandAndWhatIsWrong) {
+  constexpr Mistake mistakes[]{
+      {"", "line 1: no surface command"},
+      {"# nothing\n", "line 2: no surface command"},
+      {"\npixel 1 1", "line 2: the first command must be 'surface'"},
+      {"surface 4 4 8\nsurface 4 4 8", "line 2: a second surface"},
+      {"surface 4 4", "line 1: surface: bits is missing"},
+      {"surface 4 4 3", "line 1: surface: bits must be 1, 2, 4 or 8, not 3"},
+      {"surface 0 4 8", "line 1: surface: size empty"},
+      {"surface 4 -1 8", "line 1: surface: size empty"},
+      {"surface 1048577 1 8", "line 1: surface: size too large"},
+      {"surface 100000 100000 8", "line 1: surface: size too large"},
+      {"surface 4.5 4 8", "line 1: surface: width must be a whole number, not '4.5'"},
+      {"surface 4 4 8 8", "line 1: surface: '8' is one argument too many"},
+      {"\"surface\" 4 4 8", "line 1: a command must not stand in quotes"},
+      {"S\n\n# x\nsqare 1 1", "line 4: unknown command 'sqare'"},
+      {"S\nSurface 1 1 1", "line 2: unknown command 'Surface'"},
+      {"S\npalette 16 0 0 0", "line 2: palette: index must be 0 to 15, not 16"},
+      {"S\npalette 1 0 256 0", "line 2: palette: green must be 0 to 255, not 256"},
+      {"S\npalette 1 0 0", "line 2: palette: blue is missing"},
+      {"S\npalette 1 0 0 0 0", "line 2: palette: '0' is one argument too many"},
+      {"S\ncolor 16", "line 2: color: index must be 0 to 15, not 16"},
+      {"S\ncolour -1", "line 2: colour: index must be 0 to 15, not -1"},
+      {"S\nmode or", "line 2: mode: must be set or xor, not 'or'"},
+      {"S\nmode", "line 2: mode: mode is missing"},
+      {"S\nclip 1 2 3", "line 2: clip: height is missing"},
+      {"S\nclip none 1", "line 2: clip: x must be a number, not 'none'"},
+      {"S\nclip 2000000 0 1 1", "line 2: clip: rectangle out of domain"},
+      {"S\npixel 1 1.5", "line 2: pixel: y must be a whole number, not '1.5'"},
+      {"S\npixel 1 \"1\"", "line 2: pixel: y must be a number, not '1'"},
+      {"S\npixel 1048577 0", "line 2: pixel: point out of domain"},
+      {"S\nline 1 1 2", "line 2: line: y1 is missing"},
+      {"S\nline 0 0 0 -1048577", "line 2: line: point out of domain"},
+      {"S\nrect 0 0 2097153 1", "line 2: rect: rectangle out of domain"},
+      {"S\nfillrect 0 9999999999 1 1", "line 2: fillrect: rectangle out of domain"},
+      {"S\ncircle 1 1 -1", "line 2: circle: radius out of domain"},
+      {"S\ndisc 1 1 1048577", "line 2: disc: radius out of domain"},
+      {"S\ndisc 1 1 2.5", "line 2: disc: radius must be a whole number, not '2.5'"},
+      {"S\ntriangle 0 0 1 0 1", "line 2: triangle: y is missing"},
+      {"S\ntriangle 0 0 1 0 1 1e3", "line 2: triangle: y must be a number, not '1e3'"},
+      {"S\ntriangle 0 0 1 0 1 1048576.1", "line 2: triangle: point out of domain"},
+      {"S\npolygon 0 0 1 0 1 1", "line 2: polygon: the rule must be evenodd or nonzero, not '0'"},
+      {"S\npolygon evenodd 0 0 1 0", "line 2: polygon: a contour needs 3 vertices, this has 2"},
+      {"S\npolygon evenodd 0 0 1 0 1 1 /", "line 2: polygon: a contour needs 3 vertices, this has 0"},
+      {"S\npolygon evenodd 0 0 1 0 1 1 2", "line 2: polygon: y is missing"},
+      {"S\npolygon evenodd 0 0 1 0 1 -1048577", "line 2: polygon: vertices out of domain"},
+      {"S\nfont comic",
+       "line 2: font: no font 'comic'; there are fixed_5x8 fixed_6x13 sans_11 digits_16 digits_28 digits_48"},
+      {"S\ntext 1 1 hello", "line 2: text: the text must stand in quotes, not 'hello'"},
+      {"S\ntext 1 1", "line 2: text: text is missing"},
+      {"S\ntext 1 1 \"a\" \"b\"", "line 2: text: 'b' is one argument too many"},
+      {"S\ntext 1 1 \"a", "line 2: the quote doesn't end on this line"},
+      {"S\ntext 1 1 \"a\\", "line 2: a backslash in quotes must stand before \", \\ or n"},
+      {"S\ntext 1 1 \"\\t\"", "line 2: a backslash in quotes must stand before \", \\ or n"},
+      {"S\ntext 1048577 1 \"a\"", "line 2: text: point out of domain"},
+  };
+  for (const Mistake& mistake : mistakes) {
+    std::string source = mistake.source;
+    if (source.starts_with("S\n")) source.replace(0, 1, "surface 50 40 4");
+    try {
+      (void)draw_program(source);
+      ADD_FAILURE() << "no error: " << source;
+    } catch (const host::Failure& failure) {
+      EXPECT_STREQ(failure.what(), mistake.message) << source;
+    }
+  }
+}
+
+}  // namespace

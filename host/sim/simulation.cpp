@@ -2,6 +2,7 @@
 //
 // The simulated time of the panel runs as fast as it can; where someone looks on, frames are held back to the
 // rate that was asked for. Digests and files don't depend on that.
+#include <hal/sim/tearing.hpp>
 #include <host/failure.hpp>
 #include <host/sim/apng.hpp>
 #include <host/sim/program.hpp>
@@ -16,6 +17,7 @@
 #include <cstdio>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <ostream>
 #include <thread>
 #include <unistd.h>
@@ -71,6 +73,7 @@ class Simulation {
         panel_(panel_of(options), clock_),
         animation_path_(animation_path(options)) {
     const hal::Capabilities& c = panel_.capabilities();
+    if (c.buffers > 0) tearing_.emplace(panel_);
     // Files first: a path that can't be written is said before a window opens.
     if (!animation_path_.empty())
       animation_ =
@@ -94,6 +97,7 @@ class Simulation {
     if (!status.ok())
       throw Failure(fmt::format("{} failed: {} {}", options_.program, intaglio::to_text(status.argument()),
                                 intaglio::to_text(status.error())));
+    report_tearing();
     finish_files();
   }
 
@@ -112,6 +116,16 @@ class Simulation {
     std::this_thread::sleep_until(
         start_ + std::chrono::nanoseconds(1'000'000'000LL * (frame + 1LL) / options_.frames_per_second));
     return go_on;
+  }
+
+  /// Says what a viewer would have seen amiss.
+  void report_tearing() {
+    if (!tearing_) return;
+    constexpr std::size_t most = 5;
+    const std::vector<hal::sim::Tear>& tears = tearing_->tears();
+    for (std::size_t i = 0; i < std::min(tears.size(), most); ++i)
+      fmt::print(stderr, "torn picture: {}\n", hal::sim::to_text(tears[i]));
+    if (tears.size() > most) fmt::print(stderr, "... and {} more\n", tears.size() - most);
   }
 
   void take_picture() {
@@ -141,6 +155,8 @@ class Simulation {
   const Program& program_;
   hal::sim::VirtualClock clock_;
   hal::sim::Panel panel_;
+  /// A write panel tears by its nature: it shows what has arrived.
+  std::optional<hal::sim::TearingDetector> tearing_;
   std::string animation_path_;
   std::unique_ptr<ApngWriter> animation_;
   std::unique_ptr<ApngWriter> still_;
@@ -167,7 +183,9 @@ void list_all(std::ostream& out) {
   }
   out << "  WxHxB     any size, B bits a pixel (1, 2, 4, 8): paletted, double buffered\n"
          "\nEffects:\n"
-         "  none: the simulated panel is ideal\n";
+         "  tearing   reported with frame and line where two frames meet in one picture (panels with frame "
+         "buffers)\n"
+         "  The panel is ideal otherwise.\n";
 }
 
 void simulate(const Options& options) { Simulation(options).run(); }

@@ -16,6 +16,7 @@ namespace {
 /// floor(a / b) and remainder for b > 0 where the quotient fits int; in 32 bits where `a` does, which on a
 /// core without a 64-bit divider is four times cheaper.
 number::Division<int> divide(std::int64_t a, int b) noexcept {
+  if (b <= 0) __builtin_unreachable();  // spares the checks of a divisor that never comes
   const int narrow = static_cast<int>(a);
   if (narrow == a) return number::floor_divide(narrow, b);
   const auto wide = number::floor_divide(a, b);
@@ -24,22 +25,17 @@ number::Division<int> divide(std::int64_t a, int b) noexcept {
 
 }  // namespace
 
-Edge::Edge(linear::SubPoint top, linear::SubPoint bottom, int row) noexcept
-    : x_(top.x >> linear::subpixel_bits), height_(bottom.y - top.y) {
+void Edge::start(const linear::SubPoint& top, const linear::SubPoint& bottom, int row) noexcept {
+  height_ = bottom.y - top.y;
   // Everything is negated, because ceil(M/dy) = -floor(-M/dy) and likewise for the division by 256.
   const int dx = top.x - bottom.x;
-  const int fraction = top.x & (linear::subpixel_one - 1);
-  const int below = row * linear::subpixel_one - top.y;
-  if (dx != 0) {
-    const auto [step, remainder] = divide(dx, height_);
-    step_ = -step;
-    remainder_ = remainder;
-  }
-  std::int64_t numerator = 0;
-  if (below != 0) numerator = std::int64_t{dx} * below;
-  if (fraction != 0) numerator -= std::int64_t{fraction} * height_;
+  const auto [step, remainder] = divide(dx, height_);
+  step_ = -step;
+  remainder_ = remainder;
+  const std::int64_t numerator = std::int64_t{dx} * (row * linear::subpixel_one - top.y) -
+                                 std::int64_t{top.x & (linear::subpixel_one - 1)} * height_;
   const auto [columns, error] = divide(numerator >> linear::subpixel_bits, height_);
-  x_ -= columns;
+  x_ = (top.x >> linear::subpixel_bits) - columns;
   error_ = error - height_;
 }
 

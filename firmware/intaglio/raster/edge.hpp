@@ -32,9 +32,13 @@ namespace intaglio::raster {
 class Edge {
  public:
   constexpr Edge() noexcept = default;
-  /// The edge between two points of the domain, standing on `row`.
+  Edge(const linear::SubPoint& top, const linear::SubPoint& bottom, int row) noexcept {
+    start(top, bottom, row);
+  }
+
+  /// Becomes the edge between two points of the domain, standing on `row`.
   /// Precondition: top.y < bottom.y and ceil(top.y/256) <= row < ceil(bottom.y/256).
-  Edge(linear::SubPoint top, linear::SubPoint bottom, int row) noexcept;
+  void start(const linear::SubPoint& top, const linear::SubPoint& bottom, int row) noexcept;
 
   /// The first pixel of this row whose centre isn't left of the edge.
   [[nodiscard]] constexpr int x() const noexcept { return x_; }
@@ -49,21 +53,14 @@ class Edge {
     }
   }
 
-  /// An upright edge at pixel column `x`, for rows that see nothing but its side.
-  [[nodiscard]] static constexpr Edge upright(int x) noexcept {
-    Edge edge;
-    edge.x_ = x;
-    return edge;
-  }
-
  private:
   // x_ * height_ - M = error_ + height_: the distance to the exact crossing, in 1/height_ pixel, less height_
   // so that its sign says when to carry.
   int x_ = 0;
-  int error_ = -1;
+  int error_ = 0;
   int step_ = 0;
   int remainder_ = 0;
-  int height_ = 1;
+  int height_ = 0;
 };
 
 }  // namespace intaglio::raster

@@ -6,15 +6,6 @@
 
 namespace intaglio::raster {
 
-namespace {
-
-unsigned root(std::uint64_t n) noexcept {
-  const auto narrow = static_cast<std::uint32_t>(n);
-  return narrow == n ? number::isqrt(narrow) : number::isqrt(n);
-}
-
-}  // namespace
-
 int half_chord(int radius, int distance) noexcept {
   if (distance > radius) return -1;
   const auto r = static_cast<unsigned>(radius);
@@ -24,8 +15,8 @@ int half_chord(int radius, int distance) noexcept {
   // the outermost pixel is the one nearest to the root. Otherwise it is the last of a run, nearest along y:
   // the largest t with t^2 < r^2 - (d - 1/2)^2, all terms integers but 1/4.
   const bool along_row = square + d > std::uint64_t{d} * d || d == 0;
-  if (!along_row) return static_cast<int>(root(square + d - 1));
-  const unsigned floor = root(square);
+  if (!along_row) return static_cast<int>(number::isqrt(square + d - 1));
+  const unsigned floor = number::isqrt(square);
   return static_cast<int>(floor + (square - std::uint64_t{floor} * floor > floor ? 1U : 0U));
 }
 

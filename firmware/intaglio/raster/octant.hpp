@@ -17,11 +17,6 @@
 
 namespace intaglio::raster {
 
-/// True for a radius that can be drawn: 0 <= r <= 2^20.
-[[nodiscard]] constexpr bool radius_in_domain(int radius) noexcept {
-  return static_cast<unsigned>(radius) <= static_cast<unsigned>(linear::coordinate_limit);
-}
-
 /// How far the disc of this radius reaches to either side on the rows `distance` above and below its centre;
 /// -1 where it has no pixel. Also its reach up and down on a column. Exact; 0 <= distance, radius in the
 /// domain. Cost: one integer square root, in 32 bits for radii below 2^16.

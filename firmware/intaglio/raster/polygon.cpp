@@ -43,32 +43,31 @@ void PolygonScan::add_contour(std::span<const linear::SubPoint> vertices) noexce
   // it).
   const int left = clip_.x * linear::subpixel_one;
   const int right = (clip_.right() - 1) * linear::subpixel_one;
-  bool in_chain = false;
-  linear::SubPoint chain_start{};
   linear::SubPoint from = vertices.back();
-  for (const linear::SubPoint to : vertices) {
-    const bool left_of_it = from.x <= left && to.x <= left;
-    if (left_of_it && !in_chain) chain_start = from;
-    if (!left_of_it && in_chain) add_edge(chain_start, from, true);
-    in_chain = left_of_it;
-    if (!left_of_it && (from.x <= right || to.x <= right)) add_edge(from, to, false);
+  linear::SubPoint chain{left, from.y};  // where the chain of edges left of the window began
+  for (const linear::SubPoint& to : vertices) {
+    if (from.x > left || to.x > left) {
+      add_edge(chain, {left, from.y});
+      chain.y = to.y;
+      if (from.x <= right || to.x <= right) add_edge(from, to);
+    }
     from = to;
   }
-  if (in_chain) add_edge(chain_start, from, true);
+  add_edge(chain, {left, from.y});
 }
 
-/// Stores an edge, or the chain of edges between two points left of the window, if it has visible rows.
-void PolygonScan::add_edge(linear::SubPoint from, linear::SubPoint to, bool at_side) noexcept {
-  const bool upwards = to.y < from.y;
-  if (upwards) std::swap(from, to);
+/// Stores an edge if it has visible rows.
+void PolygonScan::add_edge(linear::SubPoint from, linear::SubPoint to) noexcept {
+  const int upwards = to.y < from.y ? 1 : 0;
+  if (upwards != 0) std::swap(from, to);
   const int row = std::max(ceil_to_pixel(from.y), clip_.y);
   const int end = std::min(ceil_to_pixel(to.y), clip_.bottom());
   if (row >= end) return;
   if (count_ < edges_.size()) {
     PolygonEdge& edge = edges_[count_];
-    edge.edge_ = at_side ? Edge::upright(clip_.x) : Edge(from, to, row);
+    edge.edge_.start(from, to, row);
     edge.row_ = row;
-    edge.end_ = 2 * end + (upwards ? 1 : 0);
+    edge.end_ = 2 * end + upwards;
   }
   ++count_;
 }

@@ -72,7 +72,7 @@ class PolygonScan {
   static constexpr int none = -1;
 
   void add_contour(std::span<const linear::SubPoint> vertices) noexcept;
-  void add_edge(linear::SubPoint from, linear::SubPoint to, bool at_side) noexcept;
+  void add_edge(linear::SubPoint from, linear::SubPoint to) noexcept;
   [[nodiscard]] PolygonEdge& at(int index) noexcept { return edges_[static_cast<std::size_t>(index)]; }
   [[nodiscard]] bool inside() const noexcept { return (winding_ & mask_) != 0; }
   [[nodiscard]] bool before(int a, int b) noexcept;

@@ -2,44 +2,56 @@
 #include <intaglio/raster/triangle.hpp>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 
 namespace intaglio::raster::detail {
 
-bool triangle_rows(linear::SubPoint a, linear::SubPoint b, linear::SubPoint c, const linear::Rect& clip,
-                   TriangleRows& rows) noexcept {
-  if (clip.empty()) return false;
+Status triangle_rows(std::array<linear::SubPoint, 3>& vertices, const linear::Rect& clip,
+                     TriangleRows& rows) noexcept {
+  int leftmost = INT32_MAX;
+  int rightmost = INT32_MIN;
+  for (const linear::SubPoint& vertex : vertices) {
+    if (!linear::in_domain(vertex)) return {Error::out_of_domain, Argument::point};
+    leftmost = std::min(leftmost, vertex.x);
+    rightmost = std::max(rightmost, vertex.x);
+  }
+  auto& [a, b, c] = vertices;
   if (b.y < a.y) std::swap(a, b);
   if (c.y < b.y) std::swap(b, c);
   if (b.y < a.y) std::swap(a, b);
-  rows.y_begin = std::max(ceil_to_pixel(a.y), clip.y);
-  rows.y_end = std::min(ceil_to_pixel(c.y), clip.bottom());
-  if (rows.y_begin >= rows.y_end) return false;
-  if (ceil_to_pixel(std::max({a.x, b.x, c.x})) <= clip.x ||
-      ceil_to_pixel(std::min({a.x, b.x, c.x})) >= clip.right())
-    return false;
+
+  const int y_begin = std::max(ceil_to_pixel(a.y), clip.y);
+  const int y_end = std::min(ceil_to_pixel(c.y), clip.bottom());
+  if (y_begin >= y_end || ceil_to_pixel(rightmost) <= clip.x || ceil_to_pixel(leftmost) >= clip.right())
+    return {};
 
   // Which side of the long edge a-c is b on? Six 30-bit factors, two 60-bit products.
   const std::int64_t of_short = std::int64_t{b.x - a.x} * (c.y - a.y);
   const std::int64_t of_long = std::int64_t{c.x - a.x} * (b.y - a.y);
-  if (of_short == of_long) return false;
-  rows.lower_is_left = of_short < of_long;
+  if (of_short == of_long) return {};
+  rows.bent_is_left = of_short < of_long;
+  rows.y_begin = y_begin;
+  rows.y_end = y_end;
+  rows.y_bend = std::min(ceil_to_pixel(b.y), y_end);
 
-  const int bend = ceil_to_pixel(b.y);
-  Edge upper;
-  if (bend <= rows.y_begin) {
-    upper = Edge(b, c, rows.y_begin);
-    rows.y_bend = rows.y_end;
-  } else {
-    upper = Edge(a, b, rows.y_begin);
-    rows.y_bend = std::min(bend, rows.y_end);
-    if (bend < rows.y_end) rows.lower = Edge(b, c, bend);
+  const bool bends = y_begin < rows.y_bend;
+  rows.whole.start(a, c, y_begin);
+  rows.bent.start(bends ? a : b, bends ? b : c, y_begin);
+  if (!bends) rows.y_bend = y_end;
+  if (rows.y_bend < y_end) rows.lower.start(b, c, rows.y_bend);
+  return {};
+}
+
+Status triangle_rows(const std::array<linear::Point, 3>& vertices, const linear::Rect& clip,
+                     TriangleRows& rows) noexcept {
+  std::array<linear::SubPoint, 3> fine;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (!linear::in_domain(vertices[i])) return {Error::out_of_domain, Argument::point};
+    fine[i] = linear::to_subpixel(vertices[i]);
   }
-  const Edge whole(a, c, rows.y_begin);
-  rows.left = rows.lower_is_left ? upper : whole;
-  rows.right = rows.lower_is_left ? whole : upper;
-  return true;
+  return triangle_rows(fine, clip, rows);
 }
 
 }  // namespace intaglio::raster::detail

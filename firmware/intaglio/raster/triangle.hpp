@@ -20,40 +20,38 @@
 #include <intaglio/raster/sink.hpp>
 #include <intaglio/status.hpp>
 
+#include <array>
+
 namespace intaglio::raster {
 
 namespace detail {
-/// The visible rows of a triangle and the edges on the first of them. At row `y_bend` one side goes on with
-/// the edge `lower`.
+/// The visible rows of a triangle and its edges: `whole` has all rows, `bent` those down to `y_bend`, where
+/// it goes on as `lower`. Each stands on its first visible row.
 struct TriangleRows {
-  Edge left;
-  Edge right;
+  Edge whole;
+  Edge bent;
   Edge lower;
   int y_begin = 0;
   int y_bend = 0;
   int y_end = 0;
-  bool lower_is_left = false;
+  bool bent_is_left = false;
 };
 
-/// Finds them. False if no row is visible. Precondition: the vertices are in the domain.
-[[nodiscard]] bool triangle_rows(linear::SubPoint a, linear::SubPoint b, linear::SubPoint c,
-                                 const linear::Rect& clip, TriangleRows& rows) noexcept;
-}  // namespace detail
+/// Finds them; no row if none is visible. Errors: as `fill_triangle`. Sorts the vertices.
+[[nodiscard]] Status triangle_rows(std::array<linear::SubPoint, 3>& vertices, const linear::Rect& clip,
+                                   TriangleRows& rows) noexcept;
+[[nodiscard]] Status triangle_rows(const std::array<linear::Point, 3>& vertices, const linear::Rect& clip,
+                                   TriangleRows& rows) noexcept;
 
-/// Fills the triangle a, b, c (in 1/256 pixel, |c| <= 2^28), vertices in any order.
-/// Errors: point (outside the domain); nothing is drawn then.
-/// Cost: set-up of three edges, and about 20 instructions a visible row on top of what the sink takes.
-template <SpanSink S>
-Status fill_triangle(S&& sink, linear::SubPoint a, linear::SubPoint b, linear::SubPoint c) {
-  if (!linear::in_domain(a) || !linear::in_domain(b) || !linear::in_domain(c))
-    return {Error::out_of_domain, Argument::point};
+template <class V, SpanSink S>
+Status fill_triangle(S& sink, std::array<V, 3> vertices) {
   const linear::Rect clip = sink.clip();
-  detail::TriangleRows rows;
-  if (!detail::triangle_rows(a, b, c, clip, rows)) return {};
+  TriangleRows rows;
+  const Status status = triangle_rows(vertices, clip, rows);
   const int clip_left = clip.x;
   const int clip_right = clip.right();
-  Edge left = rows.left;
-  Edge right = rows.right;
+  Edge left = rows.bent_is_left ? rows.bent : rows.whole;
+  Edge right = rows.bent_is_left ? rows.whole : rows.bent;
   int y = rows.y_begin;
   for (int y_stop = rows.y_bend;; y_stop = rows.y_end) {
     for (; y < y_stop; ++y) {
@@ -63,17 +61,24 @@ Status fill_triangle(S&& sink, linear::SubPoint a, linear::SubPoint b, linear::S
       left.next();
       right.next();
     }
-    if (y == rows.y_end) return {};
-    (rows.lower_is_left ? left : right) = rows.lower;
+    if (y == rows.y_end) return status;
+    (rows.bent_is_left ? left : right) = rows.lower;
   }
+}
+}  // namespace detail
+
+/// Fills the triangle a, b, c (in 1/256 pixel, |c| <= 2^28), vertices in any order.
+/// Errors: point (outside the domain); nothing is drawn then.
+/// Cost: set-up of three edges, and about 20 instructions a visible row on top of what the sink takes.
+template <SpanSink S>
+Status fill_triangle(S&& sink, linear::SubPoint a, linear::SubPoint b, linear::SubPoint c) {
+  return detail::fill_triangle<linear::SubPoint>(sink, {a, b, c});
 }
 
 /// The triangle between three pixel centres, |c| <= 2^20; otherwise as above.
 template <SpanSink S>
 Status fill_triangle(S&& sink, linear::Point a, linear::Point b, linear::Point c) {
-  if (!linear::in_domain(a) || !linear::in_domain(b) || !linear::in_domain(c))
-    return {Error::out_of_domain, Argument::point};
-  return fill_triangle(sink, linear::to_subpixel(a), linear::to_subpixel(b), linear::to_subpixel(c));
+  return detail::fill_triangle<linear::Point>(sink, {a, b, c});
 }
 
 }  // namespace intaglio::raster

@@ -2,6 +2,7 @@
 //
 // The visible part of a line: see the header for the rule.
 #include <intaglio/clip/line_path.hpp>
+#include <intaglio/number/long_division.hpp>
 
 namespace intaglio::clip {
 namespace {
@@ -12,12 +13,6 @@ struct Staircase {
   unsigned minor;  ///< m <= M
   unsigned tie;    ///< s
 
-  // Up to here (2*m*k + M) fits in 32 bits.
-  static constexpr unsigned narrow_limit = 46340;
-  static_assert(2ULL * narrow_limit * narrow_limit + narrow_limit <= 0xFFFFFFFFULL);
-
-  [[nodiscard]] bool narrow() const noexcept { return major <= narrow_limit; }
-
   /// The first k with j(k) >= j; M+1 if there is none.
   [[nodiscard]] int first_at(int j) const noexcept {
     if (j <= 0) return 0;
@@ -25,9 +20,8 @@ struct Staircase {
     if (target > minor) return static_cast<int>(major) + 1;
     // ceil(n / 2m) with n = 2*M*j - M + s, which is positive here.
     const unsigned divisor = 2 * minor;
-    if (narrow()) return static_cast<int>((2 * major * target - major + tie + (divisor - 1)) / divisor);
-    const std::uint64_t n = 2 * std::uint64_t{major} * target - major + tie;
-    return static_cast<int>((n + (divisor - 1)) / divisor);
+    const std::uint64_t n = std::uint64_t{2 * major} * target - major + tie;
+    return static_cast<int>(number::long_divide(n + (divisor - 1), divisor).quotient);
   }
 
   struct Step {
@@ -38,17 +32,8 @@ struct Staircase {
   [[nodiscard]] Step at(int k) const noexcept {
     if (k == 0) return {0, -static_cast<int>(major + tie)};
     const unsigned divisor = 2 * major;
-    unsigned quotient = 0;
-    unsigned remainder = 0;
-    if (narrow()) {
-      const unsigned n = 2 * minor * static_cast<unsigned>(k) + major - tie;
-      quotient = n / divisor;
-      remainder = n - quotient * divisor;
-    } else {
-      const std::uint64_t n = 2 * std::uint64_t{minor} * static_cast<unsigned>(k) + major - tie;
-      quotient = static_cast<unsigned>(n / divisor);
-      remainder = static_cast<unsigned>(n - std::uint64_t{quotient} * divisor);
-    }
+    const std::uint64_t n = std::uint64_t{2 * minor} * static_cast<unsigned>(k) + major - tie;
+    const auto [quotient, remainder] = number::long_divide(n, divisor);
     return {static_cast<int>(quotient), static_cast<int>(remainder) - static_cast<int>(divisor)};
   }
 };

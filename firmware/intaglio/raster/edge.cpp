@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <intaglio/number/division.hpp>
+#include <intaglio/number/long_division.hpp>
 #include <intaglio/raster/edge.hpp>
 
 #include <cstdint>
@@ -13,14 +13,19 @@ static_assert(linear::coordinate_limit * 2LL * linear::subpixel_one <= 1LL << 29
 
 namespace {
 
-/// floor(a / b) and remainder for b > 0 where the quotient fits int; in 32 bits where `a` does, which on a
-/// core without a 64-bit divider is four times cheaper.
-number::Division<int> divide(std::int64_t a, int b) noexcept {
-  if (b <= 0) __builtin_unreachable();  // spares the checks of a divisor that never comes
-  const int narrow = static_cast<int>(a);
-  if (narrow == a) return number::floor_divide(narrow, b);
-  const auto wide = number::floor_divide(a, b);
-  return {static_cast<int>(wide.quotient), static_cast<int>(wide.remainder)};
+struct Quotient {
+  int floor;
+  int remainder;
+};
+
+/// floor(a / b) and a - floor * b for b > 0 where the quotient fits int.
+Quotient divide(std::int64_t a, int b) noexcept {
+  // For a < 0 divide ~a = -a - 1 instead: floor(a / b) = ~floor(~a / b).
+  const std::int64_t sign = a >> 63U;
+  const auto [quotient, remainder] =
+      number::long_divide(static_cast<std::uint64_t>(a ^ sign), static_cast<unsigned>(b));
+  const int flip = static_cast<int>(sign);
+  return {static_cast<int>(quotient) ^ flip, (static_cast<int>(remainder) ^ flip) + (b & flip)};
 }
 
 }  // namespace

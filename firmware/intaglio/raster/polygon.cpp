@@ -4,70 +4,69 @@
 #include <climits>
 
 #include <algorithm>
-#include <utility>
 
 namespace intaglio::raster {
 
 namespace detail {
 
-Status PolygonScan::prepare(FillRule rule, std::span<const linear::SubPoint> vertices,
-                            std::span<const int> contour_lengths, const linear::Rect& clip) noexcept {
+PolygonScan::PolygonScan(const std::span<PolygonEdge>& edges) noexcept : edges_(edges) {}
+
+Status PolygonScan::prepare(FillRule rule, const std::span<const linear::SubPoint>& vertices,
+                            const std::span<const int>& contour_lengths, const linear::Rect& clip) noexcept {
   if (rule > FillRule::non_zero) return {Error::out_of_range, Argument::rule};
   mask_ = rule == FillRule::even_odd ? 1 : -1;
   clip_ = clip;
 
   std::size_t rest = vertices.size();
   for (const int length : contour_lengths) {
-    if (length < 0) return {Error::out_of_range, Argument::contours};
+    // As an unsigned number a negative length is beyond any rest.
     if (static_cast<std::size_t>(length) > rest) return {Error::mismatched, Argument::contours};
     rest -= static_cast<std::size_t>(length);
   }
   if (rest != 0) return {Error::mismatched, Argument::contours};
-  for (const linear::SubPoint vertex : vertices)
+  for (const linear::SubPoint& vertex : vertices)
     if (!linear::in_domain(vertex)) return {Error::out_of_domain, Argument::vertices};
   if (clip.empty()) return {};
 
+  const linear::SubPoint* contour = vertices.data();
   for (const int length : contour_lengths) {
-    add_contour(vertices.first(static_cast<std::size_t>(length)));
-    vertices = vertices.subspan(static_cast<std::size_t>(length));
+    if (length >= 3) add_contour(contour, contour + length);
+    contour += length;
   }
   if (count_ > edges_.size()) return {Error::too_small, Argument::workspace, count_};
-  if (count_ == 0) return {};
-  waiting_ = sorted(0, static_cast<int>(count_));
+  if (count_ > 0) waiting_ = sorted(0, static_cast<int>(count_));
   return {};
 }
 
-void PolygonScan::add_contour(std::span<const linear::SubPoint> vertices) noexcept {
-  if (vertices.size() < 3) return;
+void PolygonScan::add_contour(const linear::SubPoint* vertices, const linear::SubPoint* end) noexcept {
   // An edge is beside the window if no pixel centre inside is to its left (left of it) or right (right of
   // it).
   const int left = clip_.x * linear::subpixel_one;
   const int right = (clip_.right() - 1) * linear::subpixel_one;
-  linear::SubPoint from = vertices.back();
-  linear::SubPoint chain{left, from.y};  // where the chain of edges left of the window began
-  for (const linear::SubPoint& to : vertices) {
-    if (from.x > left || to.x > left) {
-      add_edge(chain, {left, from.y});
-      chain.y = to.y;
-      if (from.x <= right || to.x <= right) add_edge(from, to);
-    }
-    from = to;
+  const linear::SubPoint* from = end - 1;
+  int chain = from->y;  // where the chain of edges left of the window began
+  for (const linear::SubPoint* to = vertices; to != end; from = to++) {
+    if (from->x <= left && to->x <= left) continue;
+    if (chain != from->y) add_edge({left, chain}, {left, from->y});
+    chain = to->y;
+    if (from->x <= right || to->x <= right) add_edge(*from, *to);
   }
-  add_edge(chain, {left, from.y});
+  add_edge({left, chain}, {left, from->y});
 }
 
 /// Stores an edge if it has visible rows.
-void PolygonScan::add_edge(linear::SubPoint from, linear::SubPoint to) noexcept {
-  const int upwards = to.y < from.y ? 1 : 0;
-  if (upwards != 0) std::swap(from, to);
-  const int row = std::max(ceil_to_pixel(from.y), clip_.y);
-  const int end = std::min(ceil_to_pixel(to.y), clip_.bottom());
+void PolygonScan::add_edge(const linear::SubPoint& from, const linear::SubPoint& to) noexcept {
+  const bool upwards = to.y < from.y;
+  const linear::SubPoint& top = upwards ? to : from;
+  const linear::SubPoint& bottom = upwards ? from : to;
+  const int row = std::max(ceil_to_pixel(top.y), clip_.y);
+  const int end = std::min(ceil_to_pixel(bottom.y), clip_.bottom());
   if (row >= end) return;
   if (count_ < edges_.size()) {
     PolygonEdge& edge = edges_[count_];
-    edge.edge_.start(from, to, row);
+    edge.edge_.start(top, bottom, row);
     edge.row_ = row;
-    edge.end_ = 2 * end + upwards;
+    edge.end_ = 2 * end + (upwards ? 1 : 0);
   }
   ++count_;
 }

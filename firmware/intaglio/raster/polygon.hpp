@@ -58,11 +58,12 @@ namespace detail {
 /// The spans of a polygon, row by row.
 class PolygonScan {
  public:
-  explicit PolygonScan(std::span<PolygonEdge> edges) noexcept : edges_(edges) {}
+  explicit PolygonScan(const std::span<PolygonEdge>& edges) noexcept;
 
   /// Takes the polygon in; what a call with an empty workspace needs is `count()`.
-  [[nodiscard]] Status prepare(FillRule rule, std::span<const linear::SubPoint> vertices,
-                               std::span<const int> contour_lengths, const linear::Rect& clip) noexcept;
+  [[nodiscard]] Status prepare(FillRule rule, const std::span<const linear::SubPoint>& vertices,
+                               const std::span<const int>& contour_lengths,
+                               const linear::Rect& clip) noexcept;
   /// Edges that have visible rows.
   [[nodiscard]] std::uint32_t count() const noexcept { return count_; }
   /// Puts the next span in `span`; false if there is none.
@@ -71,8 +72,8 @@ class PolygonScan {
  private:
   static constexpr int none = -1;
 
-  void add_contour(std::span<const linear::SubPoint> vertices) noexcept;
-  void add_edge(linear::SubPoint from, linear::SubPoint to) noexcept;
+  void add_contour(const linear::SubPoint* vertices, const linear::SubPoint* end) noexcept;
+  void add_edge(const linear::SubPoint& from, const linear::SubPoint& to) noexcept;
   [[nodiscard]] PolygonEdge& at(int index) noexcept { return edges_[static_cast<std::size_t>(index)]; }
   [[nodiscard]] bool inside() const noexcept { return (winding_ & mask_) != 0; }
   [[nodiscard]] bool before(int a, int b) noexcept;
@@ -103,11 +104,11 @@ class PolygonScan {
 
 /// Fills the polygon whose contours are runs of `vertices` (in 1/256 pixel, |c| <= 2^28), one after the
 /// other, as long as `contour_lengths` says; each closes by itself. Contours of fewer than three vertices are
-/// empty. `workspace` holds the edges that have visible rows, one entry each (as many entries as vertices
-/// always do). Errors: vertices (one is outside the domain), contours (a negative length: out of range;
-/// lengths that don't add up to the number of vertices: mismatched), workspace (too small: `needed()`
-/// entries), rule; nothing is drawn then. Cost: about 20 instructions a vertex; a division or two, and a
-/// sort, for each visible edge; on each visible row about 40 instructions for each edge that crosses it.
+/// empty. `workspace` holds the edges that have visible rows, one entry each: as many entries as vertices
+/// always do. Errors: vertices (one is outside the domain), contours (lengths that are negative or don't add
+/// up to the number of vertices: mismatched), workspace (too small: `needed()` entries), rule; nothing is
+/// drawn then. Cost: about 20 instructions a vertex; two divisions and a sort for each visible edge; on each
+/// visible row about 40 instructions for each edge that crosses it.
 template <SpanSink S>
 Status fill_polygon(S&& sink, FillRule rule, std::span<const linear::SubPoint> vertices,
                     std::span<const int> contour_lengths, std::span<PolygonEdge> workspace) {

@@ -8,7 +8,7 @@
 
 namespace intaglio::raster::detail {
 
-Status triangle_rows(std::array<linear::SubPoint, 3>& vertices, const linear::Rect& clip,
+Status triangle_rows(const std::array<linear::SubPoint, 3>& vertices, const linear::Rect& clip,
                      TriangleRows& rows) noexcept {
   int leftmost = INT32_MAX;
   int rightmost = INT32_MIN;
@@ -17,10 +17,15 @@ Status triangle_rows(std::array<linear::SubPoint, 3>& vertices, const linear::Re
     leftmost = std::min(leftmost, vertex.x);
     rightmost = std::max(rightmost, vertex.x);
   }
-  auto& [a, b, c] = vertices;
-  if (b.y < a.y) std::swap(a, b);
-  if (c.y < b.y) std::swap(b, c);
-  if (b.y < a.y) std::swap(a, b);
+  const linear::SubPoint* top = &vertices[0];
+  const linear::SubPoint* middle = &vertices[1];
+  const linear::SubPoint* bottom = &vertices[2];
+  if (middle->y < top->y) std::swap(middle, top);
+  if (bottom->y < middle->y) std::swap(bottom, middle);
+  if (middle->y < top->y) std::swap(middle, top);
+  const linear::SubPoint& a = *top;
+  const linear::SubPoint& b = *middle;
+  const linear::SubPoint& c = *bottom;
 
   const int y_begin = std::max(ceil_to_pixel(a.y), clip.y);
   const int y_end = std::min(ceil_to_pixel(c.y), clip.bottom());

@@ -37,14 +37,14 @@ struct TriangleRows {
   bool bent_is_left = false;
 };
 
-/// Finds them; no row if none is visible. Errors: as `fill_triangle`. Sorts the vertices.
-[[nodiscard]] Status triangle_rows(std::array<linear::SubPoint, 3>& vertices, const linear::Rect& clip,
+/// Finds them; no row if none is visible. Errors: as `fill_triangle`.
+[[nodiscard]] Status triangle_rows(const std::array<linear::SubPoint, 3>& vertices, const linear::Rect& clip,
                                    TriangleRows& rows) noexcept;
 [[nodiscard]] Status triangle_rows(const std::array<linear::Point, 3>& vertices, const linear::Rect& clip,
                                    TriangleRows& rows) noexcept;
 
 template <class V, SpanSink S>
-Status fill_triangle(S& sink, std::array<V, 3> vertices) {
+Status fill_triangle(S& sink, std::array<V, 3>&& vertices) {
   const linear::Rect clip = sink.clip();
   TriangleRows rows;
   const Status status = triangle_rows(vertices, clip, rows);

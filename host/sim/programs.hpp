@@ -8,6 +8,7 @@
 namespace host {
 
 extern const Program gauges_program;
+extern const Program map_program;
 extern const Program testcard_program;
 
 }  // namespace host

@@ -20,7 +20,6 @@ using intaglio::image::mix;
 using intaglio::image::PixelFormat;
 using intaglio::image::Rgb;
 using intaglio::image::Surface;
-using intaglio::linear::Rect;
 using oracle::Packed;
 
 template <PixelFormat F>

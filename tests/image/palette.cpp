@@ -51,8 +51,8 @@ TYPED_TEST(PaletteOf, IndicesOutsideAreNamedAndChangeNothing) {
 TYPED_TEST(PaletteOf, RunsOfColoursFitOrAreRefusedWhole) {
   constexpr int size = TypeParam::size();
   TypeParam palette;
-  std::vector<Rgb> colours;
-  for (int i = 0; i < size; ++i) colours.push_back(colour_of(i));
+  std::vector<Rgb> colours(static_cast<std::size_t>(size));
+  for (int i = 0; i < size; ++i) colours[static_cast<std::size_t>(i)] = colour_of(i);
   EXPECT_EQ(palette.set_from(1, colours),
             (Status{Error::too_large, Argument::palette, static_cast<std::uint32_t>(size - 1)}));
   EXPECT_EQ(palette, TypeParam{});

@@ -10,9 +10,13 @@
 //
 // How: source and target of one format and one stride lie a constant number of pixels apart in memory, so it
 // is enough to walk towards the source: forwards if the target comes first, else backwards. Overlapping views
-// for which that isn't so (other stride, other format) are refused. Bit budget: position within 2^20 and
-// sizes within 2^20, so every edge stays within 2^21. Cost: where formats and places within a byte agree,
-// `Everything` moves whole bytes by std::memmove, a call a row; else pixel by pixel.
+// for which that isn't so (other stride, other format) are refused.
+//
+// Bit budget: position within 2^20 and sizes within 2^20, so every edge stays within 2^21.
+//
+// Cost: `Everything` between views of one format moves whole bytes: by std::memmove, a call a row, where
+// pixels have the same places in their bytes, else each byte joined from two. The other rules go pixel by
+// pixel.
 #pragma once
 
 #include <intaglio/image/row.hpp>
@@ -127,25 +131,73 @@ constexpr void merge(std::uint8_t& byte, unsigned bits, unsigned mask) noexcept 
   byte = static_cast<std::uint8_t>((byte & ~mask) | (bits & mask));
 }
 
-/// Moves a run of bytes from `source`, in which the same bits belong to the run.
-inline void move_run(const MaskedRun& to, const std::uint8_t* source, Walk walk) noexcept {
-  if (to.length == 0) {
-    merge(*to.first, *source, to.head & to.tail);
+/// Walks the bytes of a run: `edge(byte, mask)` for the ones that the run may share with its neighbours,
+/// `middle(begin, end)` for the whole ones between.
+template <class Edge, class Middle>
+void walk_run(const MaskedRun& run, Walk walk, Edge edge, Middle middle) noexcept {
+  if (run.length == 0) {
+    edge(0, run.head & run.tail);
     return;
   }
-  const auto head = [&] { merge(*to.first, *source, to.head); };
-  const auto tail = [&] {
-    if (to.tail != 0) merge(to.first[to.length], source[to.length], to.tail);
+  const bool back = walk == Walk::backwards;
+  if (!back) edge(0, run.head);
+  if (back && run.tail != 0) edge(run.length, run.tail);
+  middle(1, run.length);
+  if (!back && run.tail != 0) edge(run.length, run.tail);
+  if (back) edge(0, run.head);
+}
+
+/// Copies a run of bytes from `source`, where pixels have the same places in their bytes.
+inline void move_run(const MaskedRun& to, const std::uint8_t* source, Walk walk) noexcept {
+  walk_run(
+      to, walk, [&](int byte, unsigned mask) { merge(to.first[byte], source[byte], mask); },
+      [&](int begin, int end) {
+        std::memmove(to.first + begin, source + begin, static_cast<std::size_t>(end - begin));
+      });
+}
+
+/// Copies a run of bytes from `source`, whose first pixel lies `slots` places further right in its byte than
+/// the run's (left where negative, never 0), and whose last pixel lies in `source[last]`. Every byte of the
+/// run is made of two of the source; at the edges one of them may not exist, and then the mask hides it.
+template <PixelFormat F>
+void shift_run(const MaskedRun& to, const std::uint8_t* source, int last, int slots, Walk walk) noexcept {
+  const int before = slots < 0 ? -1 : 0;
+  const auto left = static_cast<unsigned>(slots * F::bits & 7);
+  const auto joined = [left](unsigned a, unsigned b) {
+    return F::order == BitOrder::msb_first ? a << left | b >> (8U - left) : a >> left | b << (8U - left);
   };
-  if (walk == Walk::backwards)
-    tail();
-  else
-    head();
-  std::memmove(to.first + 1, source + 1, static_cast<std::size_t>(to.length - 1));
-  if (walk == Walk::backwards)
-    head();
-  else
-    tail();
+  const auto at = [source, last](int byte) -> unsigned {
+    return byte < 0 || byte > last ? 0U : source[byte];
+  };
+  walk_run(
+      to, walk,
+      [&](int byte, unsigned mask) {
+        merge(to.first[byte], joined(at(byte + before), at(byte + before + 1)), mask);
+      },
+      [&](int begin, int end) {
+        const auto put = [&](int byte) {
+          to.first[byte] =
+              static_cast<std::uint8_t>(joined(source[byte + before], source[byte + before + 1]));
+        };
+        if (walk == Walk::backwards)
+          while (end-- > begin) put(end);
+        else
+          for (; begin < end; ++begin) put(begin);
+      });
+}
+
+/// Copies a row of pixels as they are between views of one layout, by whole bytes.
+template <PixelFormat F, PixelFormat G>
+void move_row(const Surface<F>& target, linear::Point at, const Picture<G>& source, linear::Point from,
+              int width, Walk walk) noexcept {
+  const MaskedRun run = row_run(target, at.y, at.x, at.x + width);
+  const std::uint8_t* const first = source.byte_at(from.x, from.y);
+  const int slot = source.slot_at(from.x);
+  const int slots = slot - target.slot_at(at.x);
+  if (slots == 0)
+    move_run(run, first, walk);
+  else if constexpr (F::bits < 8)
+    shift_run<F>(run, first, (slot + width - 1) >> F::byte_shift, slots, walk);
 }
 
 /// Copies a row pixel by pixel. The views come by value: writing a pixel can't change them then, and the
@@ -189,14 +241,12 @@ noexcept {
   const int step = walk == detail::Walk::backwards ? -1 : 1;
   int row = walk == detail::Walk::backwards ? part.height - 1 : 0;
   for (int left = part.height; left > 0; --left, row += step) {
-    if constexpr (std::same_as<Rule, Everything> && detail::same_layout<F, G>) {
-      if (target.slot_at(part.x) == picture.slot_at(from.x)) {
-        detail::move_run(row_run(target, part.y + row, part.x, part.right()),
-                         picture.byte_at(from.x, from.y + row), walk);
-        continue;
-      }
-    }
-    detail::blit_row(target, {part.x, part.y + row}, picture, {from.x, from.y + row}, part.width, walk, rule);
+    const linear::Point to_row{part.x, part.y + row};
+    const linear::Point from_row{from.x, from.y + row};
+    if constexpr (std::same_as<Rule, Everything> && detail::same_layout<F, G>)
+      detail::move_row(target, to_row, picture, from_row, part.width, walk);
+    else
+      detail::blit_row(target, to_row, picture, from_row, part.width, walk, rule);
   }
   return {};
 }

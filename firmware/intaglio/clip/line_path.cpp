@@ -18,10 +18,10 @@ struct Staircase {
     if (j <= 0) return 0;
     const auto target = static_cast<unsigned>(j);
     if (target > minor) return static_cast<int>(major) + 1;
-    // ceil(n / 2m) with n = 2*M*j - M + s, which is positive here.
+    // ceil(n / 2m) with n = 2*M*j - M + s.
     const unsigned divisor = 2 * minor;
-    const std::uint64_t n = std::uint64_t{2 * major} * target - major + tie;
-    return static_cast<int>(number::long_divide(n + (divisor - 1), divisor).quotient);
+    const std::uint64_t n = std::uint64_t{major} * (2 * target - 1) + (divisor - 1 + tie);
+    return static_cast<int>(number::long_divide(n, divisor).quotient);
   }
 
   struct Step {
@@ -32,54 +32,54 @@ struct Staircase {
   [[nodiscard]] Step at(int k) const noexcept {
     if (k == 0) return {0, -static_cast<int>(major + tie)};
     const unsigned divisor = 2 * major;
-    const std::uint64_t n = std::uint64_t{2 * minor} * static_cast<unsigned>(k) + major - tie;
+    const std::uint64_t n = std::uint64_t{2 * minor} * static_cast<unsigned>(k) + (major - tie);
     const auto [quotient, remainder] = number::long_divide(n, divisor);
     return {static_cast<int>(quotient), static_cast<int>(remainder) - static_cast<int>(divisor)};
   }
 };
 
+constexpr int magnitude(int a) noexcept { return a < 0 ? -a : a; }
 constexpr int larger(int a, int b) noexcept { return a > b ? a : b; }
 constexpr int smaller(int a, int b) noexcept { return a < b ? a : b; }
+constexpr void transpose(linear::Point& p) noexcept { p = {p.y, p.x}; }
 
 }  // namespace
 
-LinePath line_path(linear::Point a, linear::Point b, const linear::Rect& window) noexcept {
-  int dx = b.x - a.x;
-  int dy = b.y - a.y;
-  const bool steep = (dy < 0 ? -dy : dy) > (dx < 0 ? -dx : dx);
-  if ((steep ? dy : dx) < 0) {
-    a = b;
-    dx = -dx;
-    dy = -dy;
+Status line_path(linear::Point a, linear::Point b, const linear::Rect& window, LinePath& path) noexcept {
+  path.count = 0;
+  if (!linear::in_domain(a) || !linear::in_domain(b)) return {Error::out_of_domain, Argument::point};
+  // x and y change places in a steep line, and only there: from here on x is the major axis.
+  linear::Point delta{b.x - a.x, b.y - a.y};
+  linear::Point low{window.x, window.y};
+  linear::Point high{window.right(), window.bottom()};
+  const bool steep = magnitude(delta.y) > magnitude(delta.x);
+  if (steep) {
+    transpose(a);
+    transpose(b);
+    transpose(delta);
+    transpose(low);
+    transpose(high);
   }
-  // From here on in steps from the start along each axis, the minor one in the direction of the line.
-  const int major = steep ? dy : dx;
-  const int signed_minor = steep ? dx : dy;
-  const bool backward = signed_minor < 0;
-  const Staircase stairs{static_cast<unsigned>(major),
-                         static_cast<unsigned>(backward ? -signed_minor : signed_minor), backward ? 1U : 0U};
-  const int left = window.x - a.x;
-  const int top = window.y - a.y;
-  const int right = left + window.width;
-  const int bottom = top + window.height;
-  const int minor_begin = steep ? left : top;
-  const int minor_end = steep ? right : bottom;
-  const int begin =
-      larger(larger(0, steep ? top : left), stairs.first_at(backward ? 1 - minor_end : minor_begin));
-  const int end = smaller(smaller(major + 1, steep ? bottom : right),
-                          stairs.first_at(backward ? 1 - minor_begin : minor_end));
-  LinePath path;
-  path.count = end - begin;
-  if (path.count <= 0) return path;
+  if (delta.x < 0) {
+    a = b;
+    delta = {-delta.x, -delta.y};
+  }
+  const bool backward = delta.y < 0;
+  const Staircase stairs{static_cast<unsigned>(delta.x), static_cast<unsigned>(magnitude(delta.y)),
+                         backward ? 1U : 0U};
+  // The steps aside at which the line enters the window and has left it, in its own direction.
+  const int enter = backward ? a.y - high.y + 1 : low.y - a.y;
+  const int leave = backward ? a.y - low.y + 1 : high.y - a.y;
+  const int begin = larger(stairs.first_at(enter), low.x - a.x);
+  const int end = smaller(stairs.first_at(leave), high.x - a.x);
+  if (begin >= end) return {};
   const Staircase::Step step = stairs.at(begin);
-  const int aside = backward ? -step.minor : step.minor;
-  path.start = {a.x + (steep ? aside : begin), a.y + (steep ? begin : aside)};
-  path.error = step.error;
-  path.minor_step = static_cast<int>(2 * stairs.minor);
-  path.major_step = 2 * major;
-  path.course = steep ? (backward ? Course::down_left : Course::down_right)
-                      : (backward ? Course::right_up : Course::right_down);
-  return path;
+  linear::Point start{a.x + begin, a.y + (backward ? -step.minor : step.minor)};
+  if (steep) transpose(start);
+  path = {start,       end - begin,
+          step.error,  static_cast<int>(2 * stairs.minor),
+          2 * delta.x, static_cast<Course>((steep ? 2U : 0U) + stairs.tie)};
+  return {};
 }
 
 }  // namespace intaglio::clip

@@ -11,12 +11,13 @@
 // formula: the first k with j(k) >= J is ceil((2*M*J - M + s) / (2*m)). Rounded end points are never drawn
 // again as a line: clipping changes no pixel. Work: at most three divisions, none when the line lies inside.
 //
-// Bit budget: differences within 2^21, so 2*m*M + M is below 2^44; computed in 32 bits when M <= 46,340.
+// Bit budget: differences within 2^21, so 2*m*M + M is below 2^44.
 // Textbook: Bresenham 1965; the closed form is that of numerics with a running quotient and remainder.
 // Worst known input: (-2^20, -2^20)-(2^20, 2^20-1) against a one-pixel clip: three 64-bit divisions.
 #pragma once
 
 #include <intaglio/linear/rect.hpp>
+#include <intaglio/status.hpp>
 
 #include <cstdint>
 
@@ -29,16 +30,16 @@ enum class Course : std::uint8_t { right_down, right_up, down_right, down_left }
 /// step along the major axis; if `error` isn't negative, step along the minor axis too and take `major_step`
 /// from it.
 struct LinePath {
-  linear::Point start{};
-  int count = 0;  ///< Pixels; 0 or less: the line misses the rectangle, and nothing else here counts.
-  int error = 0;  ///< -major_step .. -1
-  int minor_step = 0;
-  int major_step = 0;
-  Course course = Course::right_down;
+  linear::Point start;
+  int count;  ///< Pixels; 0: the line misses the window, and nothing else here is set.
+  int error;  ///< -major_step .. -1
+  int minor_step;
+  int major_step;
+  Course course;
 };
 
-/// The part of the line from `a` to `b`, both drawn, that lies in `window`. Preconditions: both points and
-/// the window are in the domain.
-[[nodiscard]] LinePath line_path(linear::Point a, linear::Point b, const linear::Rect& window) noexcept;
+/// The part of the line from `a` to `b`, both drawn, that lies in `window` (which is in the domain).
+/// Errors: out_of_domain point; the path is empty then.
+Status line_path(linear::Point a, linear::Point b, const linear::Rect& window, LinePath& path) noexcept;
 
 }  // namespace intaglio::clip

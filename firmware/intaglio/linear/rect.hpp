@@ -28,11 +28,16 @@ struct Rect {
   friend constexpr bool operator==(const Rect&, const Rect&) noexcept = default;
 };
 
+/// True if a length is one that a rectangle may have: at most 2^21, of either sign.
+[[nodiscard]] constexpr bool length_in_domain(int length) noexcept {
+  constexpr unsigned limit = 2U * coordinate_limit;
+  return static_cast<unsigned>(length) + limit <= 2U * limit;
+}
+
 /// True if the rectangle can be drawn: corner in the domain, extent at most 2^21 either way. Negative extents
 /// are in the domain and empty.
 [[nodiscard]] constexpr bool in_domain(const Rect& r) noexcept {
-  return in_domain(Point{r.x, r.y}) && r.width <= 2 * coordinate_limit && r.height <= 2 * coordinate_limit &&
-         r.width >= -2 * coordinate_limit && r.height >= -2 * coordinate_limit;
+  return in_domain(Point{r.x, r.y}) && length_in_domain(r.width) && length_in_domain(r.height);
 }
 
 /// The pixels common to both; an empty rectangle at a corner inside both ranges if there are none.

@@ -48,9 +48,9 @@ constexpr void walk(Cursor cursor, const clip::LinePath& path) {
 /// Draws the line from `a` to `b`, both ends included. Errors: out_of_domain point.
 template <SpanSink S>
 constexpr Status draw_line(S&& sink, linear::Point a, linear::Point b) {
-  if (!linear::in_domain(a) || !linear::in_domain(b)) return {Error::out_of_domain, Argument::point};
-  const clip::LinePath path = clip::line_path(a, b, sink.clip());
-  if (path.count <= 0) return {};
+  clip::LinePath path;
+  const Status status = clip::line_path(a, b, sink.clip(), path);
+  if (path.count == 0) return status;
   if (path.minor_step == 0 && path.course == clip::Course::right_down) {
     sink.span(path.start.y, path.start.x, path.start.x + path.count);
     return {};

@@ -48,12 +48,6 @@ constexpr void clipped_column(S& sink, int x, int y, int height) {
   }
 }
 
-/// True if a length is one that a `linear::Rect` may have.
-[[nodiscard]] constexpr bool length_in_domain(int length) noexcept {
-  constexpr unsigned limit = 2U * linear::coordinate_limit;
-  return static_cast<unsigned>(length) + limit <= 2U * limit;
-}
-
 }  // namespace detail
 
 /// Draws the pixels (start.x .. start.x+width-1, start.y). Errors: out_of_domain point, width (above 2^21).
@@ -68,7 +62,7 @@ constexpr Status draw_horizontal(S&& sink, linear::Point start, int width) {
     return {};
   }
   if (!linear::in_domain(start)) return {Error::out_of_domain, Argument::point};
-  if (!detail::length_in_domain(width)) return {Error::out_of_domain, Argument::width};
+  if (!linear::length_in_domain(width)) return {Error::out_of_domain, Argument::width};
   detail::clipped_row(sink, start.x, start.y, width);
   return {};
 }
@@ -77,7 +71,7 @@ constexpr Status draw_horizontal(S&& sink, linear::Point start, int width) {
 template <SpanSink S>
 constexpr Status draw_vertical(S&& sink, linear::Point start, int height) {
   if (!linear::in_domain(start)) return {Error::out_of_domain, Argument::point};
-  if (!detail::length_in_domain(height)) return {Error::out_of_domain, Argument::height};
+  if (!linear::length_in_domain(height)) return {Error::out_of_domain, Argument::height};
   detail::clipped_column(sink, start.x, start.y, height);
   return {};
 }

@@ -3,6 +3,7 @@
 // Text and numbers to a serial line, without printf.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
 
@@ -15,6 +16,11 @@ class TextOutput {
 
   /// Returns when all of the text is on its way.
   void text(std::string_view s) noexcept;
+  /// A literal, whose length the compiler knows: no strlen in the image.
+  template <std::size_t N>
+  void text(const char (&literal)[N]) noexcept {
+    text(std::string_view(literal, N - 1));
+  }
   /// `value` in decimal, no leading zeros.
   void decimal(std::uint32_t value) noexcept;
   /// `value` in hexadecimal, eight lower-case digits.

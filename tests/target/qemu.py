@@ -15,6 +15,7 @@ import time
 MACHINES = {
     "clcd": ["qemu-system-arm", "-M", "versatilepb", "-audiodev", "none,id=quiet"],
     "oled": ["qemu-system-arm", "-M", "lm3s6965evb"],
+    "microbit": ["qemu-system-arm", "-M", "microbit"],
     "virt": ["qemu-system-riscv32", "-M", "virt", "-bios", "none"],
 }
 SKIPPED = 77  # exit code that CTest shows as "skipped"

@@ -23,7 +23,7 @@ constexpr std::uint32_t next_base = 4;
 constexpr std::uint32_t enabled = 1;
 
 class Lcd : public testing::Test {
- protected:
+ public:
   using Registers = std::array<std::uint32_t, 0x400 / 4>;
 
   ~Lcd() override { fake_core::on_sleep = nullptr; }

@@ -2,6 +2,10 @@
 #include <firmware/apps/map/legend.hpp>
 
 namespace apps::map {
+
+// Literals that know their length: optimised for size, the compiler would call strlen for others.
+using namespace std::string_view_literals;
+
 namespace {
 
 // Sub-pixels of one degree northwards, times 2^16; at most 43 bits.
@@ -11,8 +15,8 @@ void append_angle(Line& line, int angle, std::string_view positive, std::string_
   // 1/256 unit to whole minutes, towards the nearest; a minute is three units.
   const int size = angle < 0 ? -angle : angle;
   const int minutes = (size + 384) / 768;
-  line.number(minutes / 60).operator<<("°").number(minutes % 60, 2)
-      << "'" << (angle < 0 ? negative : positive);
+  line.number(minutes / 60).operator<<("°"sv).number(minutes % 60, 2)
+      << "'"sv << (angle < 0 ? negative : positive);
 }
 
 }  // namespace
@@ -36,9 +40,9 @@ Line& Line::number(int value, int digits) noexcept {
 
 Line place_text(const Camera& camera) noexcept {
   Line line;
-  append_angle(line, -camera.y, "N", "S");
-  line << " ";
-  append_angle(line, camera.x, "E", "W");
+  append_angle(line, -camera.y, "N"sv, "S"sv);
+  line << " "sv;
+  append_angle(line, camera.x, "E"sv, "W"sv);
   return line;
 }
 

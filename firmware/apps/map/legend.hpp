@@ -68,7 +68,7 @@ void draw_legend(Canvas& canvas, Size size, const Camera& camera) {
   const ScaleBar bar = scale_bar(camera, room < size.width / 4 ? room : size.width / 4);
   if (bar.pixels < 8) return;
   Line length;
-  length.number(bar.kilometres) << " km";
+  length.number(bar.kilometres) << std::string_view(" km", 3);
   const int wide = intaglio::text::measure(font, length.text()).width;
   const int width = (wide > bar.pixels ? wide : bar.pixels) + 2 * pad + 2;
   if (width > room) return;

@@ -19,7 +19,8 @@ function(intaglio_assets_command result depends)
         BINARY_DIR ${folder}
         PREFIX ${folder}/external
         CMAKE_ARGS -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE=-O2\ -DNDEBUG -DINTAGLIO_BUILD_TESTS=OFF
-                   -DINTAGLIO_BUILD_FONTS=OFF -DINTAGLIO_INSTALL=OFF -DINTAGLIO_BUILD_HOST=ON
+                   -DINTAGLIO_BUILD_FONTS=OFF -DINTAGLIO_INSTALL=OFF -DINTAGLIO_BUILD_HOST=OFF
+                   -DINTAGLIO_NATIVE_TOOLS=ON
         BUILD_COMMAND ${CMAKE_COMMAND} --build ${folder} --target intaglio-assets
         BUILD_ALWAYS ON
         BUILD_BYPRODUCTS ${folder}/bin/intaglio-assets
@@ -47,7 +48,7 @@ function(intaglio_add_font target name file)
     DEPENDS ${file} ${assets_depends}
     COMMENT "Font table ${name}"
     VERBATIM)
-  add_custom_target(${target}_${name} DEPENDS ${header})
+  add_custom_target(${target}_${name} ALL DEPENDS ${header})
   add_dependencies(${target} ${target}_${name})
   target_include_directories(${target} INTERFACE $<BUILD_INTERFACE:${folder}>)
 endfunction()

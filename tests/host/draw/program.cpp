@@ -129,12 +129,14 @@ TEST(Draw, ColourAndModeDecideWhatIsStored) {
 
 TEST(Draw, XorTwiceLeavesNothingInEveryDepth) {
   for (const int bits : {1, 2, 4, 8}) {
-    const std::string surface = "surface 61 47 " + std::to_string(bits) + "\nmode xor\n";
-    const std::string shapes =
+    std::string source = "surface 61 47 " + std::to_string(bits) + "\nmode xor\n";
+    constexpr std::string_view shapes =
         "disc 20 20 15\nline -5 3 70 40\ncircle 40 30 12\npolygon nonzero 3 3 50.5 9 20 44\n"
         "text 4 30 \"xor Ü\"\nrect 2 2 40 30\ntriangle 0 0 60 10 30 46\n";
-    const auto once = draw_program(surface + shapes);
-    const auto twice = draw_program(surface + shapes + shapes);
+    source += shapes;
+    const auto once = draw_program(source);
+    source += shapes;
+    const auto twice = draw_program(source);
     EXPECT_NE(once->indices(), std::vector<std::uint8_t>(61 * 47, 0));
     EXPECT_EQ(twice->indices(), std::vector<std::uint8_t>(61 * 47, 0)) << bits;
   }

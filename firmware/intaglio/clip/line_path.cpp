@@ -76,9 +76,12 @@ Status line_path(linear::Point a, linear::Point b, const linear::Rect& window, L
   const Staircase::Step step = stairs.at(begin);
   linear::Point start{a.x + begin, a.y + (backward ? -step.minor : step.minor)};
   if (steep) transpose(start);
-  path = {start,       end - begin,
-          step.error,  static_cast<int>(2 * stairs.minor),
-          2 * delta.x, static_cast<Course>((steep ? 2U : 0U) + stairs.tie)};
+  path.start = start;
+  path.count = end - begin;
+  path.error = step.error;
+  path.minor_step = static_cast<int>(2 * stairs.minor);
+  path.major_step = 2 * delta.x;
+  path.course = static_cast<Course>((steep ? 2U : 0U) + stairs.tie);
   return {};
 }
 

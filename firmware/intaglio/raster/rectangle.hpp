@@ -80,12 +80,14 @@ constexpr Status draw_vertical(S&& sink, linear::Point start, int height) {
 template <SpanSink S>
 constexpr Status fill_rect(S&& sink, const linear::Rect& r) {
   if (!linear::in_domain(r)) return {Error::out_of_domain, Argument::rectangle};
-  const linear::Rect cut = linear::intersect(r, sink.clip());
-  if (cut.empty()) return {};
+  const linear::Rect& clip = sink.clip();
+  const detail::Interval columns(r.x, r.width, clip.x, clip.width);
+  const detail::Interval rows(r.y, r.height, clip.y, clip.height);
+  if (columns.begin >= columns.end || rows.begin >= rows.end) return {};
   if constexpr (BlockSink<S>) {
-    sink.block(cut);
+    sink.block({columns.begin, rows.begin, columns.end - columns.begin, rows.end - rows.begin});
   } else {
-    for (int y = cut.y; y < cut.bottom(); ++y) sink.span(y, cut.x, cut.right());
+    for (int y = rows.begin; y < rows.end; ++y) sink.span(y, columns.begin, columns.end);
   }
   return {};
 }

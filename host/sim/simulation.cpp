@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <csignal>
 #include <cstdio>
 #include <limits>
 #include <memory>
@@ -29,6 +30,15 @@ namespace {
 constexpr std::uint32_t unattended_frames = 120;
 /// A run that only the user ends records no more than this.
 constexpr std::uint32_t longest_recording = 600;
+
+volatile std::sig_atomic_t interrupted = 0;
+
+/// Ends the run after the frame in work, so that files are finished and the terminal is as it was; a second
+/// time it ends at once.
+extern "C" void interrupt(int signal) {
+  interrupted = 1;
+  std::signal(signal, SIG_DFL);
+}
 
 const Program& program_of(const Options& options) {
   const Program* const program = find_program(options.program);
@@ -88,6 +98,7 @@ class Simulation {
   }
 
   void run() {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, interrupt);
     start_ = std::chrono::steady_clock::now();
     const intaglio::Status status =
         program_.run(panel_, interval_of(options_, panel_.capabilities()), frames_,
@@ -111,6 +122,7 @@ class Simulation {
       if (recording) animation_->add(picture_);
     }
     if (show_progress_) fmt::print(stderr, "\rrecording frame {} of {}", frame + 1, frames_);
+    if (interrupted != 0) return false;
     if (!viewer_) return true;
     const bool go_on = viewer_->show(picture_);
     std::this_thread::sleep_until(

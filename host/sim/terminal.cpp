@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// The preview on a terminal. It draws on the alternate screen, so what was there comes back, also when the
-// program is interrupted.
+// The preview on a terminal. It draws on the alternate screen, so what was there comes back.
 #include <host/failure.hpp>
 #include <host/sim/half_blocks.hpp>
 #include <host/sim/viewer.hpp>
 
-#include <csignal>
 #include <poll.h>
 #include <string_view>
 #include <sys/ioctl.h>
@@ -23,7 +21,7 @@ constexpr std::string_view leave_screen = "\x1b[0m\x1b[?25h\x1b[?1049l";
 termios modes_before{};
 bool modes_changed = false;
 
-/// Writes all of it; safe in a signal handler. What a terminal doesn't take is lost, which does no harm.
+/// Writes all of it. What a terminal doesn't take is lost, which does no harm.
 void write_out(std::string_view text) {
   while (!text.empty()) {
     const ssize_t written = write(STDOUT_FILENO, text.data(), text.size());
@@ -37,11 +35,6 @@ void restore() {
   if (modes_changed) tcsetattr(STDIN_FILENO, TCSANOW, &modes_before);
 }
 
-extern "C" void restore_and_end(int signal) {
-  restore();
-  _exit(128 + signal);
-}
-
 class Terminal final : public Viewer {
  public:
   Terminal() {
@@ -52,13 +45,9 @@ class Terminal final : public Viewer {
       raw.c_cc[VTIME] = 0;
       modes_changed = tcsetattr(STDIN_FILENO, TCSANOW, &raw) == 0;
     }
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, restore_and_end);
     write_out(enter_screen);
   }
-  ~Terminal() override {
-    restore();
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_DFL);
-  }
+  ~Terminal() override { restore(); }
   Terminal(const Terminal&) = delete;
   Terminal& operator=(const Terminal&) = delete;
 

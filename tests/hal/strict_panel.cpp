@@ -21,12 +21,10 @@ namespace {
 
 using hal::Error;
 using hal::Part;
-using hal::Status;
 using hal::mock::Pattern;
 using hal::mock::Recorder;
 using hal::mock::scan_out_panel;
 using hal::mock::StrictPanel;
-using hal::mock::StrictRules;
 using hal::mock::write_panel;
 using intaglio::image::Indexed1;
 using intaglio::image::Indexed8;

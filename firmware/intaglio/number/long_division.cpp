@@ -19,16 +19,7 @@ LongDivision long_divide(std::uint64_t n, std::uint32_t d) noexcept {
     if (narrow == n) return {narrow / d, narrow % d};
     return {static_cast<std::uint32_t>(n / d), static_cast<std::uint32_t>(n % d)};
   }
-  std::uint64_t shifted = d;
-  std::uint32_t digit = 1;
-  for (; shifted + shifted <= n; shifted += shifted) digit += digit;
-  std::uint32_t quotient = 0;
-  for (; digit != 0; digit >>= 1U, shifted >>= 1U) {
-    if (n < shifted) continue;
-    n -= shifted;
-    quotient += digit;
-  }
-  return {quotient, static_cast<std::uint32_t>(n)};
+  return detail::long_divide_by_steps(n, d);
 }
 
 }  // namespace intaglio::number

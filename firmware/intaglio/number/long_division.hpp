@@ -22,6 +22,22 @@ struct LongDivision {
   std::uint32_t remainder;
 };
 
+namespace detail {
+/// The way of cores without a divider. Precondition: as `long_divide`.
+[[nodiscard]] constexpr LongDivision long_divide_by_steps(std::uint64_t n, std::uint32_t d) noexcept {
+  std::uint64_t shifted = d;
+  std::uint32_t digit = 1;
+  for (; shifted + shifted <= n; shifted += shifted) digit += digit;
+  std::uint32_t quotient = 0;
+  for (; digit != 0; digit >>= 1U, shifted >>= 1U) {
+    if (n < shifted) continue;
+    n -= shifted;
+    quotient += digit;
+  }
+  return {quotient, static_cast<std::uint32_t>(n)};
+}
+}  // namespace detail
+
 /// Divides. Precondition: n < 2^63, d > 0, n / d < 2^32.
 [[nodiscard]] LongDivision long_divide(std::uint64_t n, std::uint32_t d) noexcept;
 

@@ -59,14 +59,16 @@ class CountingSink {
     }
     void left() { --x_, cursor_.left(); }
     void right() { ++x_, cursor_.right(); }
-    void up() { --y_, cursor_.up(); }
-    void down() { ++y_, cursor_.down(); }
+    void up() { y_ -= down_, cursor_.up(); }
+    void down() { y_ += down_, cursor_.down(); }
+    void turn_over() { down_ = -down_, cursor_.turn_over(); }
 
    private:
     decltype(std::declval<const Sink&>().cursor(0, 0)) cursor_;
     Touches touches_;
     int x_;
     int y_;
+    int down_ = 1;
   };
   [[nodiscard]] Cursor cursor(int x, int y) const { return {*this, x, y}; }
 

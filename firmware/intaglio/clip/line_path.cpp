@@ -38,7 +38,6 @@ struct Staircase {
   }
 };
 
-constexpr int magnitude(int a) noexcept { return a < 0 ? -a : a; }
 constexpr int larger(int a, int b) noexcept { return a > b ? a : b; }
 constexpr int smaller(int a, int b) noexcept { return a < b ? a : b; }
 constexpr void transpose(linear::Point& p) noexcept { p = {p.y, p.x}; }
@@ -48,40 +47,42 @@ constexpr void transpose(linear::Point& p) noexcept { p = {p.y, p.x}; }
 Status line_path(linear::Point a, linear::Point b, const linear::Rect& window, LinePath& path) noexcept {
   path.count = 0;
   if (!linear::in_domain(a) || !linear::in_domain(b)) return {Error::out_of_domain, Argument::point};
-  // x and y change places in a steep line, and only there: from here on x is the major axis.
-  linear::Point delta{b.x - a.x, b.y - a.y};
-  linear::Point low{window.x, window.y};
-  linear::Point high{window.right(), window.bottom()};
-  const bool steep = magnitude(delta.y) > magnitude(delta.x);
-  if (steep) {
-    transpose(a);
-    transpose(b);
-    transpose(delta);
+  if (b.x < a.x) {
+    const linear::Point left = b;
+    b = a;
+    a = left;
+  }
+  path.up = b.y < a.y;
+  // From here on in steps from `a` in the line's own direction: the length, and the window as `low` up to
+  // `high`, half-open.
+  linear::Point length{b.x - a.x, b.y - a.y};
+  linear::Point low{window.x - a.x, window.y - a.y};
+  linear::Point high{low.x + window.width, low.y + window.height};
+  if (path.up) {
+    const int top = low.y;
+    length.y = -length.y;
+    low.y = 1 - high.y;
+    high.y = 1 - top;
+  }
+  path.steep = length.y > length.x;
+  if (path.steep) {  // x, here and below, is the major axis
+    transpose(length);
     transpose(low);
     transpose(high);
   }
-  if (delta.x < 0) {
-    a = b;
-    delta = {-delta.x, -delta.y};
-  }
-  const bool backward = delta.y < 0;
-  const Staircase stairs{static_cast<unsigned>(delta.x), static_cast<unsigned>(magnitude(delta.y)),
-                         backward ? 1U : 0U};
-  // The steps aside at which the line enters the window and has left it, in its own direction.
-  const int enter = backward ? a.y - high.y + 1 : low.y - a.y;
-  const int leave = backward ? a.y - low.y + 1 : high.y - a.y;
-  const int begin = larger(stairs.first_at(enter), low.x - a.x);
-  const int end = smaller(stairs.first_at(leave), high.x - a.x);
+  const Staircase stairs{static_cast<unsigned>(length.x), static_cast<unsigned>(length.y),
+                         path.up && !path.steep ? 1U : 0U};
+  const int begin = larger(stairs.first_at(low.y), low.x);
+  const int end = smaller(stairs.first_at(high.y), high.x);
   if (begin >= end) return {};
   const Staircase::Step step = stairs.at(begin);
-  linear::Point start{a.x + begin, a.y + (backward ? -step.minor : step.minor)};
-  if (steep) transpose(start);
-  path.start = start;
   path.count = end - begin;
   path.error = step.error;
-  path.minor_step = static_cast<int>(2 * stairs.minor);
-  path.major_step = 2 * delta.x;
-  path.course = static_cast<Course>((steep ? 2U : 0U) + stairs.tie);
+  path.minor_step = 2 * length.y;
+  path.major_step = 2 * length.x;
+  linear::Point way{begin, step.minor};
+  if (path.steep) transpose(way);
+  path.start = {a.x + way.x, a.y + (path.up ? -way.y : way.y)};
   return {};
 }
 

@@ -2,14 +2,16 @@
 //
 // The visible part of a line between two pixels, exactly.
 //
-// Rule (DESIGN.md, "Line"): with the major axis the longer one (x if they are equal), seen from the end with
-// the smaller major coordinate, step k = 0..M along it lies
+// Rule (DESIGN.md, "Line"): of each column (row, if the line is steep) the nearest pixel, ties towards the
+// larger coordinate, whichever way the line was given. Walked to the right, with the major axis the longer
+// one (x if they are equal), step k = 0..M along it lies
 //     j(k) = floor((2*m*k + M - s) / (2*M))
-// steps along the minor axis, where M and m are the magnitudes of the differences, and s is 1 if the minor
-// coordinate decreases, else 0: the nearest pixel, ties towards the larger minor coordinate. So AB = BA.
-// j never decreases, so the steps whose pixels lie in a rectangle are one interval, found by inverting the
-// formula: the first k with j(k) >= J is ceil((2*M*J - M + s) / (2*m)). Rounded end points are never drawn
-// again as a line: clipping changes no pixel. Work: at most three divisions, none when the line lies inside.
+// steps along the minor axis, where M and m are the magnitudes of the differences. s is 0 if the minor
+// coordinate increases, so that ties go on; it is 1 if it decreases (a line that is not steep and goes up),
+// so that they stay. A steep line's minor coordinate is x, which never decreases. j never decreases, so the
+// steps whose pixels lie in a rectangle are one interval, found by inverting the formula: the first k with
+// j(k) >= J is ceil((2*M*J - M + s) / (2*m)). Rounded end points are never drawn again as a line: clipping
+// changes no pixel. Work: at most three divisions, none when the line lies inside.
 //
 // Bit budget: differences within 2^21, so 2*m*M + M is below 2^44.
 // Textbook: Bresenham 1965; the closed form is that of numerics with a running quotient and remainder.
@@ -23,19 +25,17 @@
 
 namespace intaglio::clip {
 
-/// Which way a path goes. The first word is the axis along which every step goes.
-enum class Course : std::uint8_t { right_down, right_up, down_right, down_left };
-
-/// A digital line as a walk: start there, take `count` pixels. After each pixel add `minor_step` to `error`;
-/// step along the major axis; if `error` isn't negative, step along the minor axis too and take `major_step`
-/// from it.
+/// A digital line as a walk to the right, or straight up or down: start there, take `count` pixels. After
+/// each pixel add `minor_step` to `error`; step along the major axis; if `error` isn't negative, step along
+/// the minor axis too and take `major_step` from it.
 struct LinePath {
   linear::Point start;
-  int count;  ///< Pixels; 0: the line misses the window, and nothing else here is set.
+  int count;  ///< Pixels; 0: the line misses the window, and nothing else here counts.
   int error;  ///< -major_step .. -1
   int minor_step;
   int major_step;
-  Course course;
+  bool steep;  ///< The major axis is y.
+  bool up;     ///< Steps along y go up.
 };
 
 /// The part of the line from `a` to `b`, both drawn, that lies in `window` (which is in the domain).

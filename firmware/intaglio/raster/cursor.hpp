@@ -17,13 +17,15 @@ class SpanCursor {
   constexpr void put() const { sink_->span(y_, x_, x_ + 1); }
   constexpr void left() noexcept { --x_; }
   constexpr void right() noexcept { ++x_; }
-  constexpr void up() noexcept { --y_; }
-  constexpr void down() noexcept { ++y_; }
+  constexpr void up() noexcept { y_ -= down_; }
+  constexpr void down() noexcept { y_ += down_; }
+  constexpr void turn_over() noexcept { down_ = -down_; }
 
  private:
   S* sink_;
   int x_;
   int y_;
+  int down_ = 1;
 };
 
 /// A cursor on pixel (x, y). Precondition: the pixel is inside the sink's clip.

@@ -18,9 +18,9 @@ namespace intaglio::raster {
 
 namespace detail {
 
-template <clip::Course course, class Cursor>
+/// Walks to the right and, along y, down.
+template <bool steep, class Cursor>
 constexpr void walk(Cursor cursor, const clip::LinePath& path) {
-  constexpr bool steep = course == clip::Course::down_right || course == clip::Course::down_left;
   const int minor_step = path.minor_step;
   const int major_step = path.major_step;
   int error = path.error;
@@ -35,10 +35,10 @@ constexpr void walk(Cursor cursor, const clip::LinePath& path) {
       cursor.right();
     if (error >= 0) {
       error -= major_step;
-      if constexpr (course == clip::Course::right_down) cursor.down();
-      if constexpr (course == clip::Course::right_up) cursor.up();
-      if constexpr (course == clip::Course::down_right) cursor.right();
-      if constexpr (course == clip::Course::down_left) cursor.left();
+      if constexpr (steep)
+        cursor.right();
+      else
+        cursor.down();
     }
   }
 }
@@ -51,25 +51,16 @@ constexpr Status draw_line(S&& sink, linear::Point a, linear::Point b) {
   clip::LinePath path;
   const Status status = clip::line_path(a, b, sink.clip(), path);
   if (path.count == 0) return status;
-  if (path.minor_step == 0 && path.course == clip::Course::right_down) {
+  if (path.minor_step == 0 && !path.steep) {
     sink.span(path.start.y, path.start.x, path.start.x + path.count);
     return {};
   }
-  const auto cursor = cursor_at(sink, path.start.x, path.start.y);
-  switch (path.course) {
-    case clip::Course::right_down:
-      detail::walk<clip::Course::right_down>(cursor, path);
-      break;
-    case clip::Course::right_up:
-      detail::walk<clip::Course::right_up>(cursor, path);
-      break;
-    case clip::Course::down_right:
-      detail::walk<clip::Course::down_right>(cursor, path);
-      break;
-    case clip::Course::down_left:
-      detail::walk<clip::Course::down_left>(cursor, path);
-      break;
-  }
+  auto cursor = cursor_at(sink, path.start.x, path.start.y);
+  if (path.up) cursor.turn_over();
+  if (path.steep)
+    detail::walk<true>(cursor, path);
+  else
+    detail::walk<false>(cursor, path);
   return {};
 }
 

@@ -26,7 +26,8 @@ concept SpanSink = requires(S& s, int y, int x_begin, int x_end) {
   { s.clip() } -> std::convertible_to<linear::Rect>;
 };
 
-/// Stands on one pixel of a surface. It may stand or pass outside the clip, but only `put` inside it.
+/// Stands on one pixel of a surface. It may stand or pass outside the clip, but only `put` inside it. After
+/// `turn_over()` it is where it was, and up() and down() have changed places.
 template <class C>
 concept PixelCursor = std::copyable<C> && requires(C c) {
   c.put();
@@ -34,6 +35,7 @@ concept PixelCursor = std::copyable<C> && requires(C c) {
   c.right();
   c.up();
   c.down();
+  c.turn_over();
 };
 
 /// A sink that can be walked. `cursor(x, y)` needs (x, y) inside the clip.

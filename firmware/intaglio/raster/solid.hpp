@@ -38,6 +38,7 @@ class FlatCursor {
   [[gnu::always_inline]] constexpr void put() const noexcept { Ink::put(*byte_, mask_, pattern_); }
   [[gnu::always_inline]] constexpr void up() noexcept { byte_ -= stride_; }
   [[gnu::always_inline]] constexpr void down() noexcept { byte_ += stride_; }
+  [[gnu::always_inline]] constexpr void turn_over() noexcept { stride_ = -stride_; }
   [[gnu::always_inline]] constexpr void right() noexcept {
     if (mask_ == rightmost) {
       mask_ = leftmost;
@@ -76,6 +77,7 @@ requires(F::bits == 8) class FlatCursor<F, Ink> {
   [[gnu::always_inline]] constexpr void put() const noexcept { Ink::put(*byte_, pattern_); }
   [[gnu::always_inline]] constexpr void up() noexcept { byte_ -= stride_; }
   [[gnu::always_inline]] constexpr void down() noexcept { byte_ += stride_; }
+  [[gnu::always_inline]] constexpr void turn_over() noexcept { stride_ = -stride_; }
   [[gnu::always_inline]] constexpr void right() noexcept { ++byte_; }
   [[gnu::always_inline]] constexpr void left() noexcept { --byte_; }
 

@@ -111,7 +111,8 @@ class Canvas {
       const int y = top_left.y + static_cast<int>(row) * scale;
       for (int begin = 0; begin < columns;) {
         const auto lit = [&](int column) {
-          return column < columns && (rows[row] >> static_cast<unsigned>(columns - 1 - column) & 1U) != 0;
+          return column < columns &&
+                 (unsigned{rows[row]} >> static_cast<unsigned>(columns - 1 - column) & 1U) != 0;
         };
         if (!lit(begin)) {
           ++begin;

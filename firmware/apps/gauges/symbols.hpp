@@ -19,7 +19,7 @@ template <std::size_t Rows>
   std::array<std::uint16_t, Rows> rows{};
   for (std::size_t y = 0; y < Rows; ++y)
     for (const char dot : picture[y])
-      rows[y] = static_cast<std::uint16_t>(rows[y] << 1U | (dot == '#' ? 1U : 0U));
+      rows[y] = static_cast<std::uint16_t>(unsigned{rows[y]} << 1U | (dot == '#' ? 1U : 0U));
   return rows;
 }
 
@@ -30,7 +30,7 @@ template <std::size_t Rows>
   std::array<std::uint16_t, Rows> out{};
   for (std::size_t y = 0; y < Rows; ++y)
     for (unsigned bit = 0; bit < columns; ++bit)
-      out[y] = static_cast<std::uint16_t>(out[y] << 1U | (rows[y] >> bit & 1U));
+      out[y] = static_cast<std::uint16_t>(unsigned{out[y]} << 1U | (unsigned{rows[y]} >> bit & 1U));
   return out;
 }
 

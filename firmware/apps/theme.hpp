@@ -14,6 +14,7 @@
 #pragma once
 
 #include <intaglio/image/palette.hpp>
+#include <intaglio/image/ramp.hpp>
 #include <intaglio/present/screen_info.hpp>
 
 #include <array>
@@ -23,6 +24,7 @@
 
 namespace apps {
 
+using intaglio::image::mix;
 using intaglio::image::Rgb;
 
 /// A colour, and how bright it is on a screen without colours. The two differ where a colour means something:
@@ -35,20 +37,12 @@ struct Ink {
 /// Steps of a fade: 0 is black, `fade_full` leaves a colour as it is.
 inline constexpr int fade_full = 256;
 
-/// `from` at 0, `to` at `whole`; each channel rounded down. 0 <= part <= whole, whole in 1 .. 2^20.
-[[nodiscard]] constexpr Rgb mix(Rgb from, Rgb to, int part, int whole) noexcept {
-  const auto channel = [=](int a, int b) {
-    return static_cast<std::uint8_t>((a * (whole - part) + b * part) / whole);
-  };
-  return {channel(from.r, to.r), channel(from.g, to.g), channel(from.b, to.b)};
-}
-
 /// An ink of one colour whose tone is the colour's luma.
 [[nodiscard]] constexpr Ink plain(Rgb c) noexcept {
   return {c, static_cast<std::uint8_t>((c.r * 77 + c.g * 150 + c.b * 29) / 256)};
 }
 
-/// As `mix` for colours, tones included.
+/// `from` at 0, `to` at `whole` (1 .. 2^14): colours are mixed as light, tones in equal steps.
 [[nodiscard]] constexpr Ink mix(Ink from, Ink to, int part, int whole) noexcept {
   return {mix(from.colour, to.colour, part, whole),
           static_cast<std::uint8_t>((from.tone * (whole - part) + to.tone * part) / whole)};
@@ -100,7 +94,7 @@ class Theme {
   void fade(int level) noexcept {
     if (loadable_) {
       for (int entry = 0; entry < count_; ++entry)
-        shown_.set(entry, mix({}, entries_[at(entry)].colour, level, fade_full)).ignore();
+        shown_.set(entry, mix(Rgb{}, entries_[at(entry)].colour, level, fade_full)).ignore();
     } else if (level != level_ && count_ > 2) {
       level_ = level;
       for (int ink = 0; ink < Inks; ++ink) choose(ink);

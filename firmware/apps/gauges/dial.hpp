@@ -119,7 +119,7 @@ class DialPainter {
     draw_blade(ink::needle, centre_, to, tip, tail, width);
     if (place_.radius >= 40) draw_half_blade(ink::needle_dark, to, tip, tail, width);
     const int cap = place_.radius / 8 > 2 ? place_.radius / 8 : 2;
-    draw_disc_ramp(ink::hub, ink::hub_steps, cap, ink::steel);
+    draw_disc_ramp(ink::hub, ink::hub_steps, cap, ink::steel_light);
   }
 
  private:

@@ -48,6 +48,7 @@ static_assert(count <= 256);
 /// All of them as they are when nothing glows.
 [[nodiscard]] constexpr std::array<Ink, count> make_inks() noexcept {
   std::array<Ink, count> inks{};
+  // Colours in linear light, tones in equal steps.
   const auto ramp = [&inks](int first, int steps, Ink from, Ink to) {
     for (int i = 0; i < steps; ++i)
       inks[static_cast<std::size_t>(first) + static_cast<std::size_t>(i)] = mix(from, to, i, steps - 1);

@@ -11,11 +11,11 @@ function(intaglio_assets_command result depends)
     set(${result} ${INTAGLIO_ASSETS} PARENT_SCOPE)
     set(${depends} ${INTAGLIO_ASSETS} PARENT_SCOPE)
   elseif(CMAKE_CROSSCOMPILING)
-    set(folder ${PROJECT_BINARY_DIR}/native-tools)
+    set(folder ${intaglio_BINARY_DIR}/native-tools)
     if(NOT TARGET intaglio_native_tools)
       ExternalProject_Add(
         intaglio_native_tools
-        SOURCE_DIR ${PROJECT_SOURCE_DIR}
+        SOURCE_DIR ${intaglio_SOURCE_DIR}
         BINARY_DIR ${folder}
         PREFIX ${folder}/external
         CMAKE_ARGS -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE=-O2\ -DNDEBUG -DINTAGLIO_BUILD_TESTS=OFF

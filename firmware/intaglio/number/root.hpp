@@ -18,12 +18,16 @@
 
 namespace intaglio::number {
 
-/// The floor of the square root of `n`, where the caller knows how long it is: `bit` is a power of four, and
-/// 4 * bit > n.
-template <std::unsigned_integral Word>
-[[nodiscard]] constexpr std::uint32_t isqrt_from(Word n, Word bit) noexcept {
+/// The floor of the square root of an unsigned integer of up to 64 bits. Fits 16 bits for a 32-bit argument.
+template <std::unsigned_integral N>
+[[nodiscard]] constexpr std::uint32_t isqrt(N n) noexcept {
+  static_assert(sizeof(N) <= 8);
+  using Word = decltype(n + 0U);
   Word rest = n;
   Word root = 0;
+  if (rest == 0) return 0;
+  // The largest power of four <= n.
+  Word bit = Word{1} << (static_cast<unsigned>(std::bit_width(rest) - 1) & ~1U);
   for (; bit != 0; bit >>= 2U) {
     const Word trial = root + bit;
     root >>= 1U;
@@ -33,16 +37,6 @@ template <std::unsigned_integral Word>
     }
   }
   return static_cast<std::uint32_t>(root);
-}
-
-/// The floor of the square root of an unsigned integer of up to 64 bits. Fits 16 bits for a 32-bit argument.
-template <std::unsigned_integral N>
-[[nodiscard]] constexpr std::uint32_t isqrt(N n) noexcept {
-  static_assert(sizeof(N) <= 8);
-  using Word = decltype(n + 0U);
-  if (n == 0) return 0;
-  // The largest power of four <= n.
-  return isqrt_from<Word>(n, Word{1} << (static_cast<unsigned>(std::bit_width(Word{n}) - 1) & ~1U));
 }
 
 /// The integer nearest to the square root (never a tie: half-way lies r*r + r + 1/4).

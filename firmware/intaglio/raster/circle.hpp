@@ -25,25 +25,32 @@ namespace intaglio::raster {
 
 namespace detail {
 
-/// The four octants that begin at two opposite points of the outline, without those points and, if `Steep`,
-/// without the diagonals. The cursors a and b stand on the top or right point, c and d on the one opposite.
-template <bool Steep, PixelCursor C>
-void walk_octants(int radius, C a, C c) {
-  C b = a;
-  C d = c;
-  Octant octant(radius, 0, radius);
-  for (;;) {
-    const bool inwards = octant.next();
-    if constexpr (Steep) {
-      if (octant.t() >= octant.v()) return;
-      a.up(), b.down(), c.up(), d.down();
-      if (inwards) a.left(), b.left(), c.right(), d.right();
-    } else {
-      if (octant.t() > octant.v()) return;
-      a.right(), b.left(), c.right(), d.left();
-      if (inwards) a.down(), b.down(), c.up(), d.up();
+/// Draws a wholly visible circle, radius above 0: the four octants that begin at the poles, then the four
+/// that begin at the sides (`steep`), each by a cursor. The poles and sides come first; diagonals aren't
+/// steep.
+template <CursorSink S>
+void walk_circle(S& sink, linear::Point centre, int radius) {
+  for (bool steep = false;; steep = true) {
+    const int dx = steep ? radius : 0;
+    const int dy = steep ? 0 : radius;
+    auto a = sink.cursor(centre.x + dx, centre.y - dy);  // from the top to the right, from the right upwards
+    auto b = a;                                          // from the top to the left, from the right downwards
+    auto c = sink.cursor(centre.x - dx, centre.y + dy);  // opposite
+    auto d = c;
+    a.put(), c.put();
+    for (Octant octant(radius, 0, radius);;) {
+      const bool inwards = octant.next();
+      if (octant.t() > octant.v() - (steep ? 1 : 0)) break;
+      if (steep) {
+        a.up(), b.down(), c.up(), d.down();
+        if (inwards) a.left(), b.left(), c.right(), d.right();
+      } else {
+        a.right(), b.left(), c.right(), d.left();
+        if (inwards) a.down(), b.down(), c.up(), d.up();
+      }
+      a.put(), b.put(), c.put(), d.put();
     }
-    a.put(), b.put(), c.put(), d.put();
+    if (steep) return;
   }
 }
 
@@ -57,17 +64,10 @@ template <SpanSink S>
 Status draw_circle(S&& sink, linear::Point centre, int radius) {
   const Status status = detail::check_circle(centre, radius);
   if (!status.ok()) return status;
-  const linear::Rect clip = sink.clip();
+  const linear::Rect& clip = sink.clip();
   if constexpr (CursorSink<std::remove_reference_t<S>>) {
     if (radius > 0 && detail::wholly_visible(centre, radius, clip)) {
-      auto top = sink.cursor(centre.x, centre.y - radius);
-      auto bottom = sink.cursor(centre.x, centre.y + radius);
-      top.put(), bottom.put();
-      detail::walk_octants<false>(radius, top, bottom);
-      auto right = sink.cursor(centre.x + radius, centre.y);
-      auto left = sink.cursor(centre.x - radius, centre.y);
-      right.put(), left.put();
-      detail::walk_octants<true>(radius, right, left);
+      detail::walk_circle(sink, centre, radius);
       return {};
     }
   }

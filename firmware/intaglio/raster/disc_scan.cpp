@@ -27,8 +27,8 @@ Status check_circle(linear::Point centre, int radius) noexcept {
 }
 
 bool wholly_visible(linear::Point centre, int radius, const linear::Rect& clip) noexcept {
-  return clip.contains({centre.x - radius, centre.y - radius}) &&
-         clip.contains({centre.x + radius, centre.y + radius});
+  return centre.x - radius >= clip.x && centre.x + radius < clip.right() && centre.y - radius >= clip.y &&
+         centre.y + radius < clip.bottom();
 }
 
 DiscScan::DiscScan(linear::Point centre, int radius, const linear::Rect& clip, Part part) noexcept

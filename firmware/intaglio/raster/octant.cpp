@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <intaglio/number/root.hpp>
 #include <intaglio/raster/octant.hpp>
 
 #include <cstdint>
@@ -12,17 +11,21 @@ int half_chord(int radius, int distance) noexcept {
   const auto r = static_cast<unsigned>(radius);
   const auto d = static_cast<unsigned>(distance);
   const std::uint64_t square = std::uint64_t{r - d} * (r + d);
-  // No root is longer than the radius.
-  std::uint32_t digit = 1;
-  while (digit <= r / 2) digit += digit;
-  const std::uint64_t bit = std::uint64_t{digit} * digit;
   // Is the row in an octant whose pixels are nearest along x (v >= t at t = d, which is 2d^2 - d < r^2)? Then
-  // the outermost pixel is the one nearest to the root: with w = floor(root), w + 1 iff r^2 - d^2 > w^2 + w.
-  // Otherwise it is the last of a run, nearest along y: the largest t with t^2 < r^2 - (d - 1/2)^2, all terms
-  // integers but 1/4.
-  if (square + d <= std::uint64_t{d} * d) return static_cast<int>(number::isqrt_from(square + d - 1, bit));
-  const unsigned floor = number::isqrt_from(square, bit);
-  return static_cast<int>(floor + (square - std::uint64_t{floor} * floor > floor ? 1U : 0U));
+  // the outermost pixel is the one nearest to the root, the largest w with (w - 1/2)^2 < r^2 - d^2. Otherwise
+  // it is the last of a run, nearest along y: the largest w with w^2 < r^2 - (d - 1/2)^2. All terms are
+  // integers but 1/4, so either is the largest w with w*(w - nearest) <= bound.
+  const unsigned nearest = square + d > std::uint64_t{d} * d ? 1 : 0;
+  const std::uint64_t bound = square - 1 + (nearest != 0 ? 0 : d);
+  // Digit by digit; no w is longer than the radius.
+  unsigned digit = 1;
+  while (digit <= r / 2) digit += digit;
+  unsigned w = 0;
+  for (; digit != 0; digit /= 2) {
+    const unsigned longer = w + digit;
+    if (std::uint64_t{longer} * (longer - nearest) <= bound) w = longer;
+  }
+  return static_cast<int>(w);
 }
 
 }  // namespace intaglio::raster

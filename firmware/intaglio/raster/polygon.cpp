@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include <intaglio/raster/polygon.hpp>
 
-#include <climits>
-
 #include <algorithm>
 
 namespace intaglio::raster {
 
 namespace detail {
 
-PolygonScan::PolygonScan(const std::span<PolygonEdge>& edges) noexcept : edges_(edges) {}
+PolygonScan::PolygonScan(std::span<PolygonEdge> edges) noexcept : edges_(edges) {}
 
-Status PolygonScan::prepare(FillRule rule, const std::span<const linear::SubPoint>& vertices,
-                            const std::span<const int>& contour_lengths, const linear::Rect& clip) noexcept {
+Status PolygonScan::prepare(FillRule rule, std::span<const linear::SubPoint> vertices,
+                            std::span<const int> contour_lengths, const linear::Rect& clip) noexcept {
   if (rule > FillRule::non_zero) return {Error::out_of_range, Argument::rule};
   mask_ = rule == FillRule::even_odd ? 1 : -1;
   clip_ = clip;
@@ -102,86 +100,69 @@ int PolygonScan::sorted(int begin, int end) noexcept {
   return merged(first, sorted(middle, end));
 }
 
-/// Takes the active edges to row y_, drops those that end above it and puts them in order again.
-void PolygonScan::step_active() noexcept {
+bool PolygonScan::next(RowSpan& span) noexcept {
+  for (;;) {
+    int x = clip_.right();
+    const bool was_inside = inside();
+    if (cursor_ != none) {
+      const PolygonEdge& edge = at(cursor_);
+      cursor_ = edge.next_;
+      winding_ += (edge.end_ & 1) != 0 ? -1 : 1;
+      if (was_inside == inside()) continue;
+      x = edge.edge_.x();
+    } else if (was_inside) {
+      // The edge that ends this span is right of the window and not kept.
+      winding_ = 0;
+    } else {
+      if (!next_row()) return false;
+      continue;
+    }
+    if (!was_inside) {
+      span.x_begin = std::max(x, clip_.x);
+    } else {
+      span.y = y_;
+      span.x_end = std::min(x, clip_.right());
+      if (span.x_begin < span.x_end) return true;
+    }
+  }
+}
+
+/// Goes to the next row that any edge crosses and puts these edges in order.
+bool PolygonScan::next_row() noexcept {
   int head = none;
   int last = none;
-  int following = none;
-  for (int i = active_; i != none; i = following) {
-    PolygonEdge& edge = at(i);
-    following = edge.next_;
-    if (edge.end_ >> 1 <= y_) continue;
-    edge.edge_.next();
+  const auto insert = [&](int index) {
+    PolygonEdge& edge = at(index);
     const int x = edge.edge_.x();
     int* link = &head;
     if (last == none || at(last).edge_.x() <= x) {
       if (last != none) link = &at(last).next_;
-      last = i;
+      last = index;
       edge.next_ = none;
     } else {
-      // It has crossed others: find its place from the left, at the latest before the last.
+      // Its place is before the last, so the search ends there.
       while (at(*link).edge_.x() <= x) link = &at(*link).next_;
       edge.next_ = *link;
     }
-    *link = i;
-  }
-  active_ = head;
-}
-
-/// Merges the waiting edges that begin on row y_ into the active ones.
-void PolygonScan::activate_waiting() noexcept {
-  const int first = waiting_;
-  int* link = &waiting_;
-  while (*link != none && at(*link).row_ == y_) {
-    PolygonEdge& edge = at(*link);
-    edge.row_ = INT_MIN;  // among active edges only x counts
-    link = &edge.next_;
-  }
-  if (link == &waiting_) return;
-  const int rest = *link;
-  *link = none;
-  waiting_ = rest;
-  active_ = merged(active_, first);
-}
-
-bool PolygonScan::next(RowSpan& span) noexcept {
-  const auto ends_at = [this, &span](int x) {
-    span.y = y_;
-    span.x_end = std::min(x, clip_.right());
-    return span.x_begin < span.x_end;
+    *link = index;
   };
-  for (;;) {
-    while (cursor_ != none) {
-      const PolygonEdge& edge = at(cursor_);
-      const bool was_inside = inside();
-      winding_ += (edge.end_ & 1) != 0 ? -1 : 1;
-      cursor_ = edge.next_;
-      if (was_inside == inside()) continue;
-      if (!was_inside) {
-        span.x_begin = std::max(edge.edge_.x(), clip_.x);
-      } else if (ends_at(edge.edge_.x())) {
-        return true;
-      }
-    }
-    if (inside()) {
-      // The edges that end this span are right of the window and not kept.
-      winding_ = 0;
-      if (ends_at(clip_.right())) return true;
-    }
-    if (!next_row()) return false;
-  }
-}
 
-/// Goes to the next row that any edge crosses.
-bool PolygonScan::next_row() noexcept {
   ++y_;
-  step_active();
-  if (active_ == none) {
-    if (waiting_ == none) return false;
-    y_ = at(waiting_).row_;
+  for (int i = active_, following; i != none; i = following) {
+    PolygonEdge& edge = at(i);
+    following = edge.next_;
+    if (edge.end_ >> 1 <= y_) continue;
+    edge.edge_.next();
+    insert(i);
   }
-  activate_waiting();
-  cursor_ = active_;
+  if (head == none && waiting_ == none) return false;
+  if (head == none) y_ = at(waiting_).row_;
+  while (waiting_ != none && at(waiting_).row_ == y_) {
+    const int first = waiting_;
+    waiting_ = at(first).next_;
+    insert(first);
+  }
+  active_ = cursor_ = head;
   winding_ = 0;
   return true;
 }

@@ -58,12 +58,11 @@ namespace detail {
 /// The spans of a polygon, row by row.
 class PolygonScan {
  public:
-  explicit PolygonScan(const std::span<PolygonEdge>& edges) noexcept;
+  explicit PolygonScan(std::span<PolygonEdge> edges) noexcept;
 
   /// Takes the polygon in; what a call with an empty workspace needs is `count()`.
-  [[nodiscard]] Status prepare(FillRule rule, const std::span<const linear::SubPoint>& vertices,
-                               const std::span<const int>& contour_lengths,
-                               const linear::Rect& clip) noexcept;
+  [[nodiscard]] Status prepare(FillRule rule, std::span<const linear::SubPoint> vertices,
+                               std::span<const int> contour_lengths, const linear::Rect& clip) noexcept;
   /// Edges that have visible rows.
   [[nodiscard]] std::uint32_t count() const noexcept { return count_; }
   /// Puts the next span in `span`; false if there is none.
@@ -79,8 +78,6 @@ class PolygonScan {
   [[nodiscard]] bool before(int a, int b) noexcept;
   [[nodiscard]] int merged(int a, int b) noexcept;
   [[nodiscard]] int sorted(int begin, int end) noexcept;
-  void step_active() noexcept;
-  void activate_waiting() noexcept;
   [[nodiscard]] bool next_row() noexcept;
 
   std::span<PolygonEdge> edges_;

@@ -7,16 +7,8 @@ namespace intaglio::raster::detail {
 
 namespace {
 
-/// Distances from `centre` to the nearest and the furthest of the `length` coordinates from `begin` on.
-struct Reach {
-  int nearest;
-  int furthest;
-};
-Reach reach(int begin, int length, int centre) noexcept {
-  const int before = centre - begin;
-  const int after = length - 1 - before;
-  return {std::max({-before, -after, 0}), std::max(before, after)};
-}
+/// The distance to the nearest of the coordinates from `before` left of here to `after` right of here.
+int nearest(int before, int after) noexcept { return before < 0 ? -before : after < 0 ? -after : 0; }
 
 }  // namespace
 
@@ -33,13 +25,17 @@ bool wholly_visible(linear::Point centre, int radius, const linear::Rect& clip) 
 
 DiscScan::DiscScan(linear::Point centre, int radius, const linear::Rect& clip, Part part) noexcept
     : radius_(radius) {
-  const Reach down = reach(clip.y, clip.height, centre.y);
-  const Reach across = reach(clip.x, clip.width, centre.x);
-  first_ = down.nearest;
+  const int above = centre.y - clip.y;
+  const int below = clip.height - 1 - above;
+  first_ = nearest(above, below);
   if (clip.empty()) return;
   // A disc is symmetric about its diagonals: the rows that reach a column are the reach of that column.
-  last_ = std::min(down.furthest, half_chord(radius, across.nearest));
-  full_ = half_chord(radius, across.furthest + 1) + 1;
+  const int left = centre.x - clip.x;
+  const int right = clip.width - 1 - left;
+  last_ = half_chord(radius, nearest(left, right));
+  const int furthest_row = above > below ? above : below;
+  if (last_ > furthest_row) last_ = furthest_row;
+  full_ = half_chord(radius, (left > right ? left : right) + 1) + 1;
   if (part == Part::outline) {
     // What is two rows inside these is wholly hidden beyond the window's sides.
     first_ = std::max(first_, full_ - 1);

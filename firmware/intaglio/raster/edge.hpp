@@ -31,7 +31,8 @@ namespace intaglio::raster {
 /// Walks an edge downwards. Trivially copyable, 20 bytes.
 class Edge {
  public:
-  constexpr Edge() noexcept = default;
+  /// No edge yet; call `start`.
+  Edge() noexcept = default;
   Edge(const linear::SubPoint& top, const linear::SubPoint& bottom, int row) noexcept {
     start(top, bottom, row);
   }
@@ -56,11 +57,11 @@ class Edge {
  private:
   // x_ * height_ - M = error_ + height_: the distance to the exact crossing, in 1/height_ pixel, less height_
   // so that its sign says when to carry.
-  int x_ = 0;
-  int error_ = 0;
-  int step_ = 0;
-  int remainder_ = 0;
-  int height_ = 0;
+  int x_;
+  int error_;
+  int step_;
+  int remainder_;
+  int height_;
 };
 
 }  // namespace intaglio::raster

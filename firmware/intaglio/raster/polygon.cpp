@@ -7,14 +7,17 @@ namespace intaglio::raster {
 
 namespace detail {
 
-PolygonScan::PolygonScan(std::span<PolygonEdge> edges) noexcept : edges_(edges) {}
+PolygonScan::PolygonScan(FillRule rule, const linear::Rect& clip,
+                         const std::span<PolygonEdge>& edges) noexcept
+    : edges_(edges),
+      clip_(clip),
+      mask_(rule == FillRule::even_odd   ? 1
+            : rule == FillRule::non_zero ? -1
+                                         : 0) {}
 
-Status PolygonScan::prepare(FillRule rule, std::span<const linear::SubPoint> vertices,
-                            std::span<const int> contour_lengths, const linear::Rect& clip) noexcept {
-  if (rule > FillRule::non_zero) return {Error::out_of_range, Argument::rule};
-  mask_ = rule == FillRule::even_odd ? 1 : -1;
-  clip_ = clip;
-
+Status PolygonScan::prepare(const std::span<const linear::SubPoint>& vertices,
+                            const std::span<const int>& contour_lengths) noexcept {
+  if (mask_ == 0) return {Error::out_of_range, Argument::rule};
   std::size_t rest = vertices.size();
   for (const int length : contour_lengths) {
     // As an unsigned number a negative length is beyond any rest.
@@ -24,7 +27,7 @@ Status PolygonScan::prepare(FillRule rule, std::span<const linear::SubPoint> ver
   if (rest != 0) return {Error::mismatched, Argument::contours};
   for (const linear::SubPoint& vertex : vertices)
     if (!linear::in_domain(vertex)) return {Error::out_of_domain, Argument::vertices};
-  if (clip.empty()) return {};
+  if (clip_.empty()) return {};
 
   const linear::SubPoint* contour = vertices.data();
   for (const int length : contour_lengths) {
@@ -169,12 +172,12 @@ bool PolygonScan::next_row() noexcept {
 
 }  // namespace detail
 
-Result<std::uint32_t> polygon_workspace(std::span<const linear::SubPoint> vertices,
-                                        std::span<const int> contour_lengths,
+Result<std::uint32_t> polygon_workspace(const std::span<const linear::SubPoint>& vertices,
+                                        const std::span<const int>& contour_lengths,
                                         const linear::Rect& clip) noexcept {
   if (!linear::in_domain(clip)) return Status{Error::out_of_domain, Argument::rectangle};
-  detail::PolygonScan scan({});
-  const Status status = scan.prepare(FillRule::even_odd, vertices, contour_lengths, clip);
+  detail::PolygonScan scan(FillRule::even_odd, clip, {});
+  const Status status = scan.prepare(vertices, contour_lengths);
   if (!status.ok() && status.argument() != Argument::workspace) return status;
   return scan.count();
 }

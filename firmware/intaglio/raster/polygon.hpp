@@ -58,11 +58,11 @@ namespace detail {
 /// The spans of a polygon, row by row.
 class PolygonScan {
  public:
-  explicit PolygonScan(std::span<PolygonEdge> edges) noexcept;
+  PolygonScan(FillRule rule, const linear::Rect& clip, const std::span<PolygonEdge>& edges) noexcept;
 
   /// Takes the polygon in; what a call with an empty workspace needs is `count()`.
-  [[nodiscard]] Status prepare(FillRule rule, std::span<const linear::SubPoint> vertices,
-                               std::span<const int> contour_lengths, const linear::Rect& clip) noexcept;
+  [[nodiscard]] Status prepare(const std::span<const linear::SubPoint>& vertices,
+                               const std::span<const int>& contour_lengths) noexcept;
   /// Edges that have visible rows.
   [[nodiscard]] std::uint32_t count() const noexcept { return count_; }
   /// Puts the next span in `span`; false if there is none.
@@ -81,22 +81,22 @@ class PolygonScan {
   [[nodiscard]] bool next_row() noexcept;
 
   std::span<PolygonEdge> edges_;
-  linear::Rect clip_{};
-  std::uint32_t count_ = 0;
-  int mask_ = 0;        // of the winding: which of its bits mean inside
+  linear::Rect clip_;
+  int mask_;            // of the winding: which of its bits mean inside; 0 for a rule that isn't one
   int waiting_ = none;  // sorted by first row, then x
   int active_ = none;   // sorted by x
   int cursor_ = none;   // next of the active edges on this row
   int winding_ = 0;     // left of it
   int y_ = 0;
+  std::uint32_t count_ = 0;
 };
 
 }  // namespace detail
 
 /// How many `PolygonEdge`s `fill_polygon` needs for this polygon under this clip; never more than the number
 /// of vertices. Errors: as `fill_polygon`; rectangle (clip outside the domain).
-[[nodiscard]] Result<std::uint32_t> polygon_workspace(std::span<const linear::SubPoint> vertices,
-                                                      std::span<const int> contour_lengths,
+[[nodiscard]] Result<std::uint32_t> polygon_workspace(const std::span<const linear::SubPoint>& vertices,
+                                                      const std::span<const int>& contour_lengths,
                                                       const linear::Rect& clip) noexcept;
 
 /// Fills the polygon whose contours are runs of `vertices` (in 1/256 pixel, |c| <= 2^28), one after the
@@ -107,10 +107,10 @@ class PolygonScan {
 /// drawn then. Cost: about 20 instructions a vertex; two divisions and a sort for each visible edge; on each
 /// visible row about 40 instructions for each edge that crosses it.
 template <SpanSink S>
-Status fill_polygon(S&& sink, FillRule rule, std::span<const linear::SubPoint> vertices,
-                    std::span<const int> contour_lengths, std::span<PolygonEdge> workspace) {
-  detail::PolygonScan scan(workspace);
-  const Status status = scan.prepare(rule, vertices, contour_lengths, sink.clip());
+Status fill_polygon(S&& sink, FillRule rule, const std::span<const linear::SubPoint>& vertices,
+                    const std::span<const int>& contour_lengths, const std::span<PolygonEdge>& workspace) {
+  detail::PolygonScan scan(rule, sink.clip(), workspace);
+  const Status status = scan.prepare(vertices, contour_lengths);
   if (!status.ok()) return status;
   for (RowSpan span; scan.next(span);) sink.span(span.y, span.x_begin, span.x_end);
   return {};
@@ -118,8 +118,8 @@ Status fill_polygon(S&& sink, FillRule rule, std::span<const linear::SubPoint> v
 
 /// The same with all vertices in one contour.
 template <SpanSink S>
-Status fill_polygon(S&& sink, FillRule rule, std::span<const linear::SubPoint> vertices,
-                    std::span<PolygonEdge> workspace) {
+Status fill_polygon(S&& sink, FillRule rule, const std::span<const linear::SubPoint>& vertices,
+                    const std::span<PolygonEdge>& workspace) {
   const int length = static_cast<int>(vertices.size());
   return fill_polygon(sink, rule, vertices, std::span<const int>(&length, 1), workspace);
 }

@@ -10,6 +10,7 @@ namespace intaglio::raster::detail {
 
 Status triangle_rows(const std::array<linear::SubPoint, 3>& vertices, const linear::Rect& clip,
                      TriangleRows& rows) noexcept {
+  rows.y_begin = rows.y_end = 0;
   int leftmost = INT32_MAX;
   int rightmost = INT32_MIN;
   for (const linear::SubPoint& vertex : vertices) {
@@ -53,6 +54,7 @@ Status triangle_rows(const std::array<linear::Point, 3>& vertices, const linear:
                      TriangleRows& rows) noexcept {
   std::array<linear::SubPoint, 3> fine;
   for (std::size_t i = 0; i < 3; ++i) {
+    rows.y_begin = rows.y_end = 0;
     if (!linear::in_domain(vertices[i])) return {Error::out_of_domain, Argument::point};
     fine[i] = linear::to_subpixel(vertices[i]);
   }

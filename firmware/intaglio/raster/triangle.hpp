@@ -28,13 +28,13 @@ namespace detail {
 /// The visible rows of a triangle and its edges: `whole` has all rows, `bent` those down to `y_bend`, where
 /// it goes on as `lower`. Each stands on its first visible row.
 struct TriangleRows {
-  Edge whole;
+  Edge whole;  // none of this counts if there is no row: y_begin >= y_end
   Edge bent;
   Edge lower;
-  int y_begin = 0;
-  int y_bend = 0;
-  int y_end = 0;
-  bool bent_is_left = false;
+  int y_begin;
+  int y_bend;
+  int y_end;
+  bool bent_is_left;
 };
 
 /// Finds them; no row if none is visible. Errors: as `fill_triangle`.
@@ -48,6 +48,7 @@ Status fill_triangle(S& sink, std::array<V, 3>&& vertices) {
   const linear::Rect clip = sink.clip();
   TriangleRows rows;
   const Status status = triangle_rows(vertices, clip, rows);
+  if (rows.y_begin >= rows.y_end) return status;
   const int clip_left = clip.x;
   const int clip_right = clip.right();
   Edge left = rows.bent_is_left ? rows.bent : rows.whole;

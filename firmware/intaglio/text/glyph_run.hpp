@@ -22,10 +22,10 @@ namespace intaglio::text {
 
 /// A piece of a glyph's box: the pixels of `visible` that have a bit set.
 struct GlyphPart {
-  linear::Rect visible{};              ///< Not empty, in the sink's coordinates, inside the clip.
-  const std::uint8_t* rows = nullptr;  ///< The row of bits at visible.y.
-  int row_bytes = 0;                   ///< From a row of bits to the next.
-  int column = 0;                      ///< The bit of the row at visible.x, counted from the left.
+  linear::Rect visible;      ///< Not empty, in the sink's coordinates, inside the clip.
+  const std::uint8_t* rows;  ///< The row of bits at visible.y.
+  int row_bytes;             ///< From a row of bits to the next.
+  int column;                ///< The bit of the row at visible.x, counted from the left.
 };
 
 /// The visible glyphs of a text. Single pass. A line or a glyph that only just touches the clip may be cut to

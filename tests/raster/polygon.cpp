@@ -59,6 +59,7 @@ std::string fault(const Contours& contours, const Rect& clip) {
   const Flat polygon = flat(contours);
   const auto needed = polygon_workspace(polygon.vertices, polygon.lengths, clip);
   if (!needed.ok()) return text(contours) + ": no workspace";
+  if (needed.value() > polygon.vertices.size()) return text(contours) + ": more edges than vertices";
   std::vector<PolygonEdge> workspace(needed.value());
   for (const bool even_odd : {true, false}) {
     RecordingSink sink(clip);

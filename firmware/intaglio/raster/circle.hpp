@@ -7,9 +7,12 @@
 //
 // A circle that is wholly visible, on a sink that can be walked, is walked by cursors, four octants at a
 // time. Otherwise only the visible rows are visited (disc_scan.hpp): the work is bounded by what is visible,
-// at any radius. Bit budget: centre within 2^20, radius <= 2^20, clip within 2^22: int32 (octant.hpp has the
-// squares). Error: none. Textbook: section 2.4. Worst known inputs: r = 1 and r = 2 under XOR (drawn twice
-// they vanish); r = 2^20 with a window at a pole (runs of a thousand pixels).
+// at any radius.
+//
+// Bit budget: centre within 2^20, radius <= 2^20, clip within 2^22: int32 (octant.hpp has the squares).
+// Error: none. Textbook: section 2.4.
+// Worst known inputs: r = 1 and r = 2 under XOR (drawn twice they vanish); r = 2^20 with a window at a pole
+// (runs of a thousand pixels).
 #pragma once
 
 #include <intaglio/linear/point.hpp>
@@ -58,8 +61,8 @@ void walk_circle(S& sink, linear::Point centre, int radius) {
 
 /// Draws the circle around the pixel `centre` (|c| <= 2^20), radius 0..2^20 pixels; it is 2*radius + 1 wide.
 /// Errors: point, radius (outside the domain); nothing is drawn then.
-/// Cost: about 5 instructions a pixel on an 8-bit surface if wholly visible; otherwise six roots, and about
-/// 60 instructions a visible row on top of what the sink takes.
+/// Cost: about 7 instructions a pixel on an 8-bit surface if wholly visible; otherwise six `half_chord`, and
+/// about 60 instructions a visible row on top of what the sink takes.
 template <SpanSink S>
 Status draw_circle(S&& sink, linear::Point centre, int radius) {
   const Status status = detail::check_circle(centre, radius);

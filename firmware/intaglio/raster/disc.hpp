@@ -5,9 +5,11 @@
 // Rule: the pixels of the circle's outline (circle.hpp) and everything inside it, so that a disc is the
 // outline and its filling at every radius. r = 0 is one pixel.
 //
-// Rows and their reach come from disc_scan.hpp: the work is bounded by the visible rows.
-// Bit budget: as for circles. Error: none. Textbook: sections 2.4 and 2.6. Worst known inputs: peers whose
-// outline sticks out of the disc (r = 3, 4), rows with both ends outside the window skipped.
+// Rows and their reach come from disc_scan.hpp: the work is bounded by what is visible, at any radius.
+//
+// Bit budget: as for circles. Error: none. Textbook: sections 2.4 and 2.6.
+// Worst known inputs: r = 3 and r = 4, where peers draw pixels twice and outlines stick out of discs; rows
+// with both ends outside the window, which others skip.
 #pragma once
 
 #include <intaglio/linear/point.hpp>
@@ -20,7 +22,7 @@ namespace intaglio::raster {
 
 /// Fills the disc around the pixel `centre` (|c| <= 2^20), radius 0..2^20 pixels; it is 2*radius + 1 wide.
 /// Errors: point, radius (outside the domain); nothing is drawn then.
-/// Cost: five roots, and about 35 instructions a visible row on top of what the sink takes.
+/// Cost: five `half_chord`, and about 40 instructions a visible row on top of what the sink takes.
 template <SpanSink S>
 Status fill_disc(S&& sink, linear::Point centre, int radius) {
   const Status status = detail::check_circle(centre, radius);

@@ -3,14 +3,16 @@
 // The visible rows of a disc and of its outline.
 //
 // Rule: the rows at distance j above and below the centre reach `outer` = half_chord(r, j) to both sides. The
-// outline has of them what the rows one further out don't hide: |x| from `inner` = min(outer, half_chord(r, j
-// + 1)
-// + 1) to `outer`. So every pixel of the outline comes once, and a disc is its outline and its filling.
+// outline has of them what the rows one further out don't hide: from `inner` = half_chord(r, j + 1) + 1, or
+// from `outer` if that is less, to `outer`. So every pixel of the outline comes once, and a disc is its
+// outline and its filling.
 //
 // Rows beyond the diagonal are the runs of an octant's walk, taken from the furthest inwards; rows up to it
-// are the walk's steps, taken from the nearest outwards. Roots find where to start: no row or column outside
-// the window is walked, at any radius. Rows that fill the window from side to side need no walk at all. Bit
-// budget: distances within 2^22: int32. Error: none.
+// are the walk's steps, taken from the nearest outwards. half_chord finds where to start: no row or column
+// outside the window is walked, at any radius. Rows that fill the window from side to side need no walk.
+//
+// Bit budget: distances within 2^22: int32.
+// Error: none.
 #pragma once
 
 #include <intaglio/linear/point.hpp>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// An octant of a circle, walked without roots, and the exact root that starts the walk anywhere.
+// An octant of a circle, walked without roots, and the exact search that starts the walk anywhere.
 //
 // Rule: for 0 <= t <= v the outline of radius r has the pixel (t, v), v the integer nearest to
 // sqrt(r^2 - t^2), that is (v - 1/2)^2 < r^2 - t^2 < (v + 1/2)^2; the seven other octants mirror it. With
-// e = t^2 + v^2 - v - r^2 "v is near enough" reads e < 0: a step of t adds 2t + 1, a step of v takes 2(v -
-// 1). Within the octant v falls by at most one a step, so one comparison a step is exact.
+// e = t^2 + v^2 - v - r^2 "v is near enough" reads e < 0: a step of t adds 2t + 1, a step of v takes 2v - 2.
+// Within the octant v falls by at most one a step, so one comparison a step is exact.
 //
 // Bit budget: r <= 2^20, so r^2 has 41 bits; it is formed only to start. On the octant -2v <= e < 0, and
 // before v steps e <= 2t, so the walk stays within 2^22: int32.
@@ -19,7 +19,8 @@ namespace intaglio::raster {
 
 /// How far the disc of this radius reaches to either side on the rows `distance` above and below its centre;
 /// -1 where it has no pixel. Also its reach up and down on a column. Exact; 0 <= distance, radius in the
-/// domain. Cost: one integer square root, in 32 bits for radii below 2^16.
+/// domain.
+/// Cost: a multiplication and a comparison for each binary digit of the radius.
 [[nodiscard]] int half_chord(int radius, int distance) noexcept;
 
 /// Walks the octant from t = `t` on.

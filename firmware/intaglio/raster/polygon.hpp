@@ -93,19 +93,20 @@ class PolygonScan {
 
 }  // namespace detail
 
-/// How many `PolygonEdge`s `fill_polygon` needs for this polygon under this clip; never more than the number
-/// of vertices. Errors: as `fill_polygon`; rectangle (clip outside the domain).
+/// How many `PolygonEdge`s `fill_polygon` needs for this polygon under this clip; never more than vertices.
+/// Errors: as `fill_polygon`; rectangle (clip outside the domain).
 [[nodiscard]] Result<std::uint32_t> polygon_workspace(const std::span<const linear::SubPoint>& vertices,
                                                       const std::span<const int>& contour_lengths,
                                                       const linear::Rect& clip) noexcept;
 
 /// Fills the polygon whose contours are runs of `vertices` (in 1/256 pixel, |c| <= 2^28), one after the
 /// other, as long as `contour_lengths` says; each closes by itself. Contours of fewer than three vertices are
-/// empty. `workspace` holds the edges that have visible rows, one entry each: as many entries as vertices
-/// always do. Errors: vertices (one is outside the domain), contours (lengths that are negative or don't add
-/// up to the number of vertices: mismatched), workspace (too small: `needed()` entries), rule; nothing is
-/// drawn then. Cost: about 20 instructions a vertex; two divisions and a sort for each visible edge; on each
-/// visible row about 40 instructions for each edge that crosses it.
+/// empty. `workspace` holds the edges that have visible rows, one entry each; as many entries as vertices
+/// always do. It need not be initialised, and holds nothing of value afterwards.
+/// Errors: vertices (one is outside the domain), contours (lengths that are negative or don't add up to the
+/// number of vertices: mismatched), workspace (too small: `needed()` entries), rule; nothing is drawn then.
+/// Cost: about 20 instructions a vertex; two divisions and a sort for each visible edge; on each visible row
+/// about 40 instructions for each edge that crosses it, and what the sink takes.
 template <SpanSink S>
 Status fill_polygon(S&& sink, FillRule rule, const std::span<const linear::SubPoint>& vertices,
                     const std::span<const int>& contour_lengths, const std::span<PolygonEdge>& workspace) {

@@ -102,7 +102,8 @@ TEST(Drive, ReadingsStayOnTheirScales) {
     return r.speed >= 0 && r.speed <= speed_limit << value_bits && r.rpm >= 0 &&
            r.rpm <= rpm_limit << value_bits && r.gear >= 0 && r.gear <= 9 && r.fuel >= 0 && r.fuel <= 1000 &&
            r.heat >= 0 && r.heat <= 1000 && r.odometer >= 0 && r.odometer < 1'000'000'000 &&
-           r.brightness >= 0 && r.brightness <= 256 && r.lights < 1U << light_count;
+           r.brightness >= 0 && r.brightness <= 256 && r.lights < 1U << light_count && r.runner >= 0 &&
+           r.runner < 1000;
   };
   for (std::uint32_t frame = 0; frame < 30'000; ++frame) ASSERT_TRUE(check(frame)) << "frame " << frame;
   for (std::uint32_t back = 0; back < 3000; ++back)

@@ -134,6 +134,9 @@ TEST(Map, LandAndWaterStandWhereTheAtlasHasThem) {
     EXPECT_GT(looks[i], 0) << spots[i].name << " was never in sight";
 }
 
+// The board oled has 64 KiB of RAM for stack, frame and program.
+static_assert(sizeof(Map<image::Indexed4>) <= 40 * 1024);
+
 // The widest piece of land, and how it lies on a panel.
 TEST(Map, MostVerticesOfAContinentLieThousandsOfPixelsOutsideAtTheDeepestZoom) {
   constexpr linear::Size size{320, 240};

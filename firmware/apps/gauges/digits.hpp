@@ -34,24 +34,18 @@ namespace detail {
 inline constexpr std::array<std::uint8_t, 10> segments_of{0x3F, 0x06, 0x5B, 0x4F, 0x66,
                                                           0x6D, 0x7D, 0x07, 0x7F, 0x6F};
 
-/// A bar along x or y whose ends are points, its outline pulled in by `gap` on each side, in 1/256 px.
+/// A bar along x or y, `half` wide to each side, whose ends are points `gap` inside `from` and `to`; in 1/256
+/// px. `from` is the left or upper end.
 template <class Canvas>
 void pointed_bar(Canvas& canvas, int ink, SubPoint from, SubPoint to, int half, int gap) {
-  const bool across = from.y == to.y;
-  const int g = across ? (from.x += gap, to.x -= gap, half) : (from.y += gap, to.y -= gap, half);
-  const std::array<SubPoint, 6> corners = across ? std::array<SubPoint, 6>{{{from.x, from.y},
-                                                                            {from.x + g, from.y - g},
-                                                                            {to.x - g, to.y - g},
-                                                                            {to.x, to.y},
-                                                                            {to.x - g, to.y + g},
-                                                                            {from.x + g, from.y + g}}}
-                                                 : std::array<SubPoint, 6>{{{from.x, from.y},
-                                                                            {from.x + g, from.y + g},
-                                                                            {to.x + g, to.y - g},
-                                                                            {to.x, to.y},
-                                                                            {to.x - g, to.y - g},
-                                                                            {from.x - g, from.y + g}}};
-  canvas.polygon(ink, corners);
+  // Along the bar (1, 0) or (0, 1), and across it.
+  const SubPoint along = from.y == to.y ? SubPoint{1, 0} : SubPoint{0, 1};
+  const auto corner = [&](SubPoint end, int forward, int aside) {
+    return SubPoint{end.x + along.x * forward + along.y * aside, end.y + along.y * forward + along.x * aside};
+  };
+  canvas.polygon(ink, std::array<SubPoint, 6>{corner(from, gap, 0), corner(from, gap + half, -half),
+                                              corner(to, -gap - half, -half), corner(to, -gap, 0),
+                                              corner(to, -gap - half, half), corner(from, gap + half, half)});
 }
 
 }  // namespace detail

@@ -104,6 +104,9 @@ Readings readings_at(std::uint32_t frame) noexcept {
   const auto count = static_cast<std::int64_t>(frame);
   now.brightness = count < fade_frames ? static_cast<int>(count) * 256 / fade_frames : 256;
 
+  // A round in a second and a half.
+  now.runner = static_cast<int>(count % 90) * 1000 / 90;
+
   const std::int64_t driven = count < test_frames ? 0 : count - test_frames;
   const auto lap = driven / cycle;
   const auto at = static_cast<int>(driven % cycle);
@@ -120,11 +123,9 @@ Readings readings_at(std::uint32_t frame) noexcept {
   now.odometer = static_cast<int>((start + distance / 432) % 1'000'000'000);
 
   if (count < test_frames) {
-    now.testing = true;
     constexpr int rest = 16;
     const auto step = static_cast<int>(count);
     const int position = step < rest ? 0 : sweep(step - rest, test_frames - rest);
-    now.test_position = position;
     now.speed = speed_limit * (1 << value_bits) * position / 1000;
     now.rpm = rpm_limit * (1 << value_bits) * position / 1000;
     now.lights = (1U << static_cast<unsigned>(light_count)) - 1U;

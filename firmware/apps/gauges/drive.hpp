@@ -35,16 +35,15 @@ inline constexpr int light_count = 8;
 
 /// Everything an instrument can show.
 struct Readings {
-  int speed = 0;          ///< km/h * 16, 0 .. speed_limit * 16
-  int rpm = 0;            ///< turns a minute * 16, 0 .. rpm_limit * 16
-  int gear = 0;           ///< 0 is neutral
-  int fuel = 0;           ///< 0 .. 1000
-  int heat = 0;           ///< coolant, 0 (cold) .. 1000 (boiling)
-  int odometer = 0;       ///< metres, 0 .. 999,999,999
-  int brightness = 0;     ///< 0 .. 256
-  bool testing = false;   ///< The self-test runs: every light is on.
-  unsigned lights = 0;    ///< One bit a `Light`, lit at this very frame.
-  int test_position = 0;  ///< 0 .. 1000: how far the running light of the self-test has come.
+  int speed = 0;        ///< km/h * 16, 0 .. speed_limit * 16
+  int rpm = 0;          ///< turns a minute * 16, 0 .. rpm_limit * 16
+  int gear = 0;         ///< 0 is neutral
+  int fuel = 0;         ///< 0 .. 1000
+  int heat = 0;         ///< coolant, 0 (cold) .. 1000 (boiling)
+  int odometer = 0;     ///< metres, 0 .. 999,999,999
+  int brightness = 0;   ///< 0 .. 256
+  unsigned lights = 0;  ///< One bit a `Light`, lit at this very frame.
+  int runner = 0;       ///< 0 .. 999: where a light that runs round the dials is, in thousandths of a round
 };
 
 /// The readings at a frame.

@@ -68,13 +68,14 @@ class Gauges {
   using Colours = Theme<ink::count, static_cast<int>(F::max_index) + 1>;
   using Paint = Canvas<F, Colours>;
 
-  // A segment glows up to the value, brightest at its end; during the self-test a light runs along.
+  // A segment glows up to the value, brightest at its end.
   void light_arc(const Scale& scale, int value) noexcept {
     constexpr int segments = ink::arc_segments;
     constexpr Ink off{{24, 30, 40}, 34};
     constexpr Ink off_red{{72, 16, 20}, 51};
     constexpr Ink cool{{16, 92, 168}, 136};
     constexpr Ink bright{{120, 232, 255}, 255};
+    constexpr Ink white{{255, 255, 255}, 255};
     constexpr Ink hot{{255, 52, 40}, 255};
     const int limit = scale.limit << value_bits;
     // In 1/16 of a segment.
@@ -90,6 +91,9 @@ class Gauges {
                            : behind - 16 < tail ? behind - 16
                                                 : tail,
                            tail);
+      // A light runs round, as far as the arc is lit.
+      if (i == segments * now_.runner / 1000 && theme_.owns_entry(scale.arc + i))
+        glow = mix(glow, white, 1, 2);
       if (behind < 16) glow = mix(dark, glow, behind > 0 ? behind : 0, 16);
       theme_.set(scale.arc + i, glow);
     }

@@ -101,24 +101,25 @@ class Map {
   }
 
   void draw_graticule(Paint& canvas, const Projection& projection) const {
+    constexpr int pole = 90 * units_per_degree;
     const int step = graticule_step(camera_) * units_per_degree;
-    const int dots = theme_.two_tone() ? 4 : 1;
-    for (int y = -90 * units_per_degree + step; y < 90 * units_per_degree; y += step) {
-      const int row = to_pixel(projection.row(y));
-      if (!canvas.sees({0, row, size_.width, 1})) continue;
-      for (int x = 0; x < size_.width; x += dots) {
-        canvas.fill(dots == 1 ? ink::graticule : ink::text, {x, row, dots == 1 ? size_.width : 1, 1});
-        if (dots == 1) break;
-      }
+    for (int y = -pole + step; y < pole; y += step)
+      rule(canvas, {0, to_pixel(projection.row(y)), size_.width, 1});
+    const Copies copies = copies_in_sight(projection, size_.width);
+    const int east = copies.last * world_width + world_width / 2;
+    for (int x = copies.first * world_width - world_width / 2; x <= east; x += step)
+      rule(canvas, {to_pixel(projection.column(x)), 0, 1, size_.height});
+  }
+
+  // A line one pixel wide; dotted where there is no ink between water's and land's.
+  void rule(Paint& canvas, const Rect& line) const {
+    if (!canvas.sees(line)) return;
+    if (!theme_.two_tone()) {
+      canvas.fill(ink::graticule, line);
+      return;
     }
-    for (int x = -3 * world_width / 2; x <= 3 * world_width / 2; x += step) {
-      const int column = to_pixel(projection.column(x));
-      if (!canvas.sees({column, 0, 1, size_.height})) continue;
-      for (int y = 0; y < size_.height; y += dots) {
-        canvas.fill(dots == 1 ? ink::graticule : ink::text, {column, y, 1, dots == 1 ? size_.height : 1});
-        if (dots == 1) break;
-      }
-    }
+    for (int y = line.y; y < line.bottom(); y += 4)
+      for (int x = line.x; x < line.right(); x += 4) canvas.fill(ink::text, {x, y, 1, 1});
   }
 
   // Light water round the land, and its shadow to the lower right.

@@ -85,7 +85,6 @@ Camera camera_at(std::uint32_t frame, Size size) noexcept {
   const Stop& to = stops[(leg + 1) % stops.size()];
 
   Camera camera;
-  camera.stop = static_cast<int>(leg);
   // Height first, then distance: seen from above, the way is short.
   const int climb = smooth(t);
   const int way = smooth(climb);

@@ -35,7 +35,6 @@ struct Camera {
   std::int64_t scale_y = 1;
   int zoom = 0;   ///< In 1/256 octaves; 0 shows the world.
   int night = 0;  ///< 0 (noon) .. 256 (midnight)
-  int stop = 0;   ///< The stop last left or rested at.
 };
 
 /// Whole pixels a degree northwards.

@@ -106,7 +106,7 @@ class PolygonScan {
 /// Errors: vertices (one is outside the domain), contours (lengths that are negative or don't add up to the
 /// number of vertices: mismatched), workspace (too small: `needed()` entries), rule; nothing is drawn then.
 /// Cost: about 20 instructions a vertex; two divisions and a sort for each visible edge; on each visible row
-/// about 40 instructions for each edge that crosses it, and what the sink takes.
+/// about 60 instructions for each edge that crosses it, and what the sink takes.
 template <SpanSink S>
 Status fill_polygon(S&& sink, FillRule rule, const std::span<const linear::SubPoint>& vertices,
                     const std::span<const int>& contour_lengths, const std::span<PolygonEdge>& workspace) {

@@ -10,11 +10,13 @@
 #include <intaglio/raster/disc.hpp>
 #include <intaglio/raster/line.hpp>
 #include <intaglio/raster/pixel.hpp>
+#include <intaglio/raster/polygon.hpp>
 #include <intaglio/raster/rectangle.hpp>
 #include <intaglio/raster/solid.hpp>
 #include <intaglio/raster/triangle.hpp>
 #include <intaglio/text/draw_text.hpp>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <firmware/boards/common/semihosting.hpp>
@@ -39,6 +41,29 @@ int opaque(int value) noexcept {
 }
 
 void use(Status status) noexcept { asm volatile("" : : "r"(status)); }
+
+// A star that crosses itself, about as large as the disc.
+constexpr linear::SubPoint star[] = {
+    {40960, 17920}, {48499, 41041}, {28787, 26753}, {53133, 26753}, {33421, 41041}};
+
+// A coast of 1,400 vertices, as a map has it when zoomed in: a few of them in the window, the others
+// thousands of pixels away on all sides.
+constexpr auto coast = [] {
+  std::array<linear::SubPoint, 1400> vertices{};
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const int along =
+        static_cast<int>(i % 350) * 64 * 256 - 175 * 64 * 256;  // a square ring, 22,400 pixels wide
+    const int across = 160 * 256 + static_cast<int>(i * 37 % 61) * 256;
+    constexpr int far = 175 * 64 * 256;
+    vertices[i] = i < 350    ? linear::SubPoint{along, across}
+                  : i < 700  ? linear::SubPoint{far + across, across + along + far}
+                  : i < 1050 ? linear::SubPoint{-along, 2 * far + across}
+                             : linear::SubPoint{-far - across, across - along + far};
+  }
+  return vertices;
+}();
+
+raster::PolygonEdge edges[64];
 
 struct Row {
   const char* name;
@@ -102,6 +127,10 @@ constexpr Row rows[] = {
        const Point c{opaque(100), opaque(150)};
        use(raster::fill_triangle(pen, a, b, c));
      }},
+    {"polygon star",
+     [](const Pen& pen) { use(raster::fill_polygon(pen, raster::FillRule::even_odd, star, edges)); }},
+    {"polygon of 1400",
+     [](const Pen& pen) { use(raster::fill_polygon(pen, raster::FillRule::non_zero, coast, edges)); }},
     {"text 10 of 6x13",
      [](const Pen& pen) {
        use(text::draw_text(pen, fonts::fixed_6x13, {opaque(101), opaque(77)}, "Intaglio2D"));

@@ -14,8 +14,9 @@
 // changes no pixel. Work: at most three divisions, none when the line lies inside.
 //
 // Bit budget: differences within 2^21, so 2*m*M + M is below 2^44.
-// Textbook: Bresenham 1965; the closed form is that of numerics with a running quotient and remainder.
-// Worst known input: (-2^20, -2^20)-(2^20, 2^20-1) against a one-pixel clip: three 64-bit divisions.
+// Textbook: section 2.3, Bresenham's line. Its `line3` starts the error at -floor(dx/2), which is wrong for
+// odd dx; here everything is doubled and the error starts at -(M + s). Worst known input: (-2^20,
+// -2^20)-(2^20, 2^20-1) against a one-pixel clip: three 64-bit divisions.
 #pragma once
 
 #include <intaglio/linear/rect.hpp>

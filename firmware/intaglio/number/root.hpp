@@ -7,7 +7,8 @@
 // One binary digit of the root a step, from the highest that can be set (the classic method of remainders:
 // `rest` is what is left of n, `root` twice the root found so far, in place). Bit budget: both stay below
 // 2^width(n), so no step can overflow; no multiplication, no division, no table.
-// Cost: about 8 instructions a binary digit of the root, fewer digits for small numbers.
+// Cost: about 8 instructions a binary digit of the root, fewer digits for small numbers: on Cortex-M3 at most
+// 140 for 32 bits, 550 for 64.
 #pragma once
 
 #include <intaglio/number/fixed.hpp>

@@ -202,6 +202,16 @@ TEST(StrictPanel, ChangingAPresentedFrameIsReported) {
   panel.check();
 }
 
+TEST(StrictPanel, AFrameShownAgainIsStillPresented) {
+  StrictPanel panel(scan_out_panel(4, 2, 8));
+  for (int n = 0; n < 2; ++n) {
+    ASSERT_TRUE(panel.show(1, {}).ok());
+    panel.vblank();
+  }
+  panel.buffer(1)[0] = 1;
+  EXPECT_NONFATAL_FAILURE(panel.check(), "frame buffer 1 was changed after it had been presented");
+}
+
 TEST(StrictPanel, DrawingOnAPresentedFrameThroughARecorderIsReported) {
   StrictPanel panel(scan_out_panel(4, 2, 8));
   Recorder pen = panel.recorder(1, 1);

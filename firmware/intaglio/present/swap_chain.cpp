@@ -18,7 +18,7 @@ Result<int> SwapControl::acquire(bool wait) noexcept {
 }
 
 Status SwapControl::release(std::span<const std::uint8_t> palette) noexcept {
-  if (const Status s = settle(); !s.ok()) return s;
+  // The wait ends no earlier than the frame before appeared, so its request isn't replaced.
   if (const Status s = pacer_.wait(*panel_, 1); !s.ok()) return s;
   if (const hal::Status s = panel_->show(acquired_, palette); !s.ok()) return to_status(s);
   shown_ = acquired_;

@@ -66,24 +66,24 @@ class [[nodiscard]] Status {
  public:
   /// Success.
   constexpr Status() noexcept = default;
-  /// A failure. `needed` (0..2^20-1, saturated) is the amount that would have done, where that makes sense.
+  /// A failure. `needed` (0..2^22-1, saturated) is the amount that would have done, where that makes sense.
   constexpr Status(Error error, Argument argument, std::uint32_t needed = 0) noexcept
-      : word_(static_cast<std::uint32_t>(error) | static_cast<std::uint32_t>(argument) << 6U |
-              (needed < needed_limit ? needed : needed_limit - 1U) << 12U) {}
+      : word_(static_cast<std::uint32_t>(error) | static_cast<std::uint32_t>(argument) << 4U |
+              (needed < needed_limit ? needed : needed_limit - 1U) << 10U) {}
 
   [[nodiscard]] constexpr bool ok() const noexcept { return word_ == 0; }
-  [[nodiscard]] constexpr Error error() const noexcept { return static_cast<Error>(word_ & 63U); }
+  [[nodiscard]] constexpr Error error() const noexcept { return static_cast<Error>(word_ & 15U); }
   [[nodiscard]] constexpr Argument argument() const noexcept {
-    return static_cast<Argument>(word_ >> 6U & 63U);
+    return static_cast<Argument>(word_ >> 4U & 63U);
   }
-  [[nodiscard]] constexpr std::uint32_t needed() const noexcept { return word_ >> 12U; }
+  [[nodiscard]] constexpr std::uint32_t needed() const noexcept { return word_ >> 10U; }
   /// Says in the source that a status was looked at and doesn't matter here.
   constexpr void ignore() const noexcept {}
 
   friend constexpr bool operator==(Status, Status) noexcept = default;
 
  private:
-  static constexpr std::uint32_t needed_limit = 1U << 20U;
+  static constexpr std::uint32_t needed_limit = 1U << 22U;
   std::uint32_t word_ = 0;
 };
 static_assert(sizeof(Status) == 4);

@@ -45,9 +45,7 @@ constexpr std::array<std::pair<std::string_view, const Font*>, 6> fonts{{
 /// What is wrong, in the library's words.
 std::string in_words(Status status) {
   std::string words = fmt::format("{} {}", to_text(status.argument()), to_text(status.error()));
-  constexpr std::uint32_t saturated = (1U << 20U) - 1;
-  if (status.needed() != 0 && status.needed() != saturated)
-    words += fmt::format(" (limit {})", status.needed());
+  if (status.needed() != 0) words += fmt::format(" (limit {})", status.needed());
   return words;
 }
 

@@ -102,7 +102,12 @@ void byte_rows(std::uint8_t* first, int count, int rows, int stride, Pattern pat
     Ink::run(first, count * rows, pattern);
     return;
   }
-  for (; rows > 0; --rows, first += stride) Ink::run(first, count, pattern);
+  // Not stepped behind the last row: that place may lie outside the buffer.
+  while (true) {
+    Ink::run(first, count, pattern);
+    if (--rows == 0) return;
+    first += stride;
+  }
 }
 
 template <class Ink>
@@ -111,7 +116,11 @@ void masked_rows(MaskedRun run, int rows, int stride, Pattern pattern) noexcept 
     byte_rows<Ink>(run.first, run.length, rows, stride, pattern);
     return;
   }
-  for (; rows > 0; --rows, run.first += stride) masked_run<Ink>(run, pattern);
+  while (true) {
+    masked_run<Ink>(run, pattern);
+    if (--rows == 0) return;
+    run.first += stride;
+  }
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ struct Replace {
     fill_bytes(first, count, pattern);
   }
   static void run(const MaskedRun& run, Pattern pattern) noexcept;
-  /// The same run in `rows` rows, `stride` bytes apart.
+  /// The same run in `rows` rows, `stride` bytes apart. Precondition: rows >= 1.
   static void rows(std::uint8_t* first, int count, int rows, int stride, Pattern pattern) noexcept;
   static void rows(const MaskedRun& run, int rows, int stride, Pattern pattern) noexcept;
   /// Writes the bits of `mask`.
@@ -65,7 +65,7 @@ struct Flip {
     flip_bytes(first, count, pattern);
   }
   static void run(const MaskedRun& run, Pattern pattern) noexcept;
-  /// The same run in `rows` rows, `stride` bytes apart.
+  /// The same run in `rows` rows, `stride` bytes apart. Precondition: rows >= 1.
   static void rows(std::uint8_t* first, int count, int rows, int stride, Pattern pattern) noexcept;
   static void rows(const MaskedRun& run, int rows, int stride, Pattern pattern) noexcept;
   /// Changes the bits of `mask`.

@@ -189,7 +189,7 @@ TEST(DrawErrors, SayTheLineTheCommandAndWhatIsWrong) {
       {"surface 4 4 3", "line 1: surface: bits must be 1, 2, 4 or 8, not 3"},
       {"surface 0 4 8", "line 1: surface: size empty"},
       {"surface 4 -1 8", "line 1: surface: size empty"},
-      {"surface 1048577 1 8", "line 1: surface: size too large"},
+      {"surface 1048577 1 8", "line 1: surface: size too large (limit 1048576)"},
       {"surface 100000 100000 8", "line 1: surface: size too large"},
       {"surface 4.5 4 8", "line 1: surface: width must be a whole number, not '4.5'"},
       {"surface 4 4 8 8", "line 1: surface: '8' is one argument too many"},

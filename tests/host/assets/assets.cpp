@@ -103,8 +103,9 @@ TEST_F(Assets, ImageWithFewColoursKeepsThemInBothBitOrders) {
   test_host::write(folder_ / "p.png", host::encode_png(picture));
   for (const std::string order : {"msb", "lsb"}) {
     const std::string header = folder_ / (order + ".hpp");
-    const Outcome outcome =
-        assets("image " + (folder_ / "p.png") + " --bits 2 --order " + order + " --name icon -o " + header);
+    std::string command = "image " + (folder_ / "p.png") + " --bits 2 --order ";
+    command.append(order).append(" --name icon -o ").append(header);
+    const Outcome outcome = assets(command);
     ASSERT_EQ(outcome.code, 0) << outcome.output;
     expect_compiles(header, R"(
       #include <array>

@@ -65,12 +65,14 @@ class CursorRecorder : public SpanRecorder {
     void put() const { sink_->span(y_, x_, x_ + 1); }
     void left() { --x_; }
     void right() { ++x_; }
-    void up() { --y_; }
-    void down() { ++y_; }
+    void up() { y_ -= down_; }
+    void down() { y_ += down_; }
+    void turn_over() { down_ = -down_; }
 
    private:
     CursorRecorder* sink_;
     int x_, y_;
+    int down_ = 1;
   };
 
   Cursor cursor(int x, int y) {

@@ -5,6 +5,7 @@
 #include <intaglio/image/surface.hpp>
 #include <intaglio/raster/circle.hpp>
 #include <intaglio/raster/disc.hpp>
+#include <intaglio/raster/flood.hpp>
 #include <intaglio/raster/line.hpp>
 #include <intaglio/raster/pixel.hpp>
 #include <intaglio/raster/rectangle.hpp>
@@ -25,9 +26,11 @@ using intaglio::Error;
 using intaglio::Result;
 using intaglio::Status;
 
-template <class Sink>
+template <image::PixelFormat F, class Sink>
 struct Drawer {
   const Sink& sink;
+  const image::Surface<F>& surface;
+  const Pen& pen;
 
   Status operator()(const Pixel& p) const { return raster::draw_pixel(sink, p.at); }
   Status operator()(const Line& l) const { return raster::draw_line(sink, l.from, l.to); }
@@ -42,6 +45,19 @@ struct Drawer {
   Status operator()(const Polygon& p) const {
     std::vector<raster::PolygonEdge> workspace(p.vertices.size());
     return raster::fill_polygon(sink, p.rule, p.vertices, p.contour_lengths, workspace);
+  }
+  Status operator()(const FloodFill& f) const {
+    // All of the region has the seed's index, so exclusive-or gives it one other.
+    const bool flips = pen.exclusive_or && raster::in_clip(surface.bounds(), f.seed);
+    const unsigned fill = flips ? surface.get(f.seed.x, f.seed.y) ^ pen.index : pen.index;
+    auto flood = raster::Flood<F>::interior(surface, f.connectivity, f.seed, fill);
+    if (!flood.ok()) return flood.status();
+    std::vector<raster::FloodSpan> workspace(64);
+    for (;;) {
+      const Status status = flood.value().run(sink, workspace);
+      if (status.error() != Error::too_small) return status;
+      workspace.resize(2 * std::size_t{status.needed()});
+    }
   }
   Status operator()(const Text& t) const {
     return intaglio::text::draw_text(sink, *t.font, t.top_left, t.utf8);
@@ -63,7 +79,8 @@ class CanvasOf final : public Canvas {
     const Touches counts(touches(), size().width);
     const auto with = [&](const auto& sink) {
       const CountingSink counting(sink, counts);
-      return std::visit(Drawer<CountingSink<std::remove_cvref_t<decltype(sink)>>>{counting}, primitive);
+      return std::visit(Drawer<F, CountingSink<std::remove_cvref_t<decltype(sink)>>>{counting, surface_, pen},
+                        primitive);
     };
     return pen.exclusive_or ? with(raster::Xor<F>(surface_, pen.index, pen.clip))
                             : with(raster::Solid<F>(surface_, pen.index, pen.clip));

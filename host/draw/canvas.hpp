@@ -4,6 +4,7 @@
 #pragma once
 
 #include <intaglio/linear/rect.hpp>
+#include <intaglio/raster/flood.hpp>
 #include <intaglio/raster/polygon.hpp>
 #include <intaglio/status.hpp>
 #include <intaglio/text/font.hpp>
@@ -43,12 +44,16 @@ struct Polygon {
   std::vector<linear::SubPoint> vertices;
   std::vector<int> contour_lengths;
 };
+struct FloodFill {
+  linear::Point seed;
+  intaglio::raster::Connectivity connectivity{};
+};
 struct Text {
   const intaglio::text::Font* font = nullptr;
   linear::Point top_left;
   std::string utf8;
 };
-using Primitive = std::variant<Pixel, Line, Rectangle, Circle, Triangle, Polygon, Text>;
+using Primitive = std::variant<Pixel, Line, Rectangle, Circle, Triangle, Polygon, FloodFill, Text>;
 
 /// How primitives are drawn.
 struct Pen {

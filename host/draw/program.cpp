@@ -226,6 +226,15 @@ class Interpreter {
     pending_ = std::move(polygon);
   }
 
+  void flood(Arguments& in) {
+    using intaglio::raster::Connectivity;
+    const std::string& neighbours = in.word("neighbours").text;
+    if (neighbours != "4" && neighbours != "8")
+      throw Failure(fmt::format("a pixel has 4 or 8 neighbours, not '{}'", neighbours));
+    const Connectivity connectivity = neighbours == "4" ? Connectivity::four : Connectivity::eight;
+    pending_ = FloodFill{in.point("x", "y"), connectivity};
+  }
+
   void text(Arguments& in) {
     const Point top_left = in.point("x", "y");
     const Word& string = in.word("text");
@@ -247,7 +256,7 @@ class Interpreter {
   [[nodiscard]] int last_index() const { return static_cast<int>(canvas_->max_index()); }
 
   using Method = void (Interpreter::*)(Arguments&);
-  static constexpr std::array<std::pair<std::string_view, Method>, 16> commands{{
+  static constexpr std::array<std::pair<std::string_view, Method>, 17> commands{{
       {"surface", &Interpreter::surface},
       {"palette", &Interpreter::palette},
       {"color", &Interpreter::colour},
@@ -263,6 +272,7 @@ class Interpreter {
       {"disc", &Interpreter::disc},
       {"triangle", &Interpreter::triangle},
       {"polygon", &Interpreter::polygon},
+      {"flood", &Interpreter::flood},
       {"text", &Interpreter::text},
   }};
 
@@ -289,6 +299,7 @@ std::string_view language_help() {
   triangle X Y X Y X Y       filled
   polygon evenodd|nonzero X Y X Y X Y ... [/ X Y ...]
                              filled; / begins another contour (a hole, an island)
+  flood 4|8 X Y              the pixels around X Y of its index, joined by 4 or 8 neighbours inside the clip
   font NAME                  fixed_6x13 (the default), fixed_5x8, sans_11, digits_16, digits_28, digits_48
   text X Y "UTF-8"           top left of the text; escapes \" \\ and \n (next line)
 The surface is black (index 0) at first. Coordinates are whole pixels up to 2^20 either way, and may lie outside

@@ -104,6 +104,8 @@ class FlatSink {
   /// Where the sink can draw, in the surface's coordinates.
   [[nodiscard]] constexpr const linear::Rect& clip() const noexcept { return clip_; }
   [[nodiscard]] constexpr const image::Surface<F>& surface() const noexcept { return surface_; }
+  /// The index it draws with.
+  [[nodiscard]] constexpr unsigned index() const noexcept { return pattern_.byte() & F::max_index; }
 
   /// Writes the pixels x_begin .. x_end-1 of row y. Precondition: they are inside the clip; x_begin < x_end.
   void span(int y, int x_begin, int x_end) const noexcept {

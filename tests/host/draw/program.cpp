@@ -4,6 +4,7 @@
 #include <host/draw/program.hpp>
 #include <host/failure.hpp>
 #include <tests/oracle/circle.hpp>
+#include <tests/oracle/flood.hpp>
 #include <tests/oracle/line.hpp>
 #include <tests/oracle/polygon.hpp>
 #include <tests/oracle/text.hpp>
@@ -92,6 +93,25 @@ TEST(Draw, PolygonByBothRulesAndWithContours) {
                                {{2560, 2560}, {2560, 7680}, {7808, 5120}}};
   expect_pixels("polygon evenodd 0 0 50 0 50 40 0 40 / 10 10 10 30 30.5 20",
                 [&](int x, int y) { return oracle::in_polygon(holed, true, x, y); });
+}
+
+TEST(Draw, FloodFillsTheRegionOfTheSeedsIndexInsideTheClip) {
+  const std::string walls = "rect 3 2 30 20\nline 3 21 32 2\ncolor 6\n";
+  const auto walled = draw(walls)->indices();
+  for (const bool eight : {false, true})
+    for (const char* mode : {"set", "xor"}) {
+      const auto canvas = draw(walls + "clip 5 0 40 40\nmode " + mode + "\nflood " + (eight ? "8" : "4") +
+                               " 10 6\nflood 4 4 30\nflood 8 -1 1000");
+      const auto inside = oracle::region(width, height, {5, 0, 40, 40}, eight, 10, 6, [&](int x, int y) {
+        return walled[static_cast<std::size_t>(y * width + x)] == 0;
+      });
+      EXPECT_EQ(inside[12 * width + 30] != 0, eight);  // through the line
+      for (std::size_t i = 0; i < inside.size(); ++i) {
+        ASSERT_EQ(canvas->indices()[i], inside[i] != 0 ? 6 : walled[i]);
+        ASSERT_TRUE(inside[i] == 0 || canvas->touched()[i] == 1);
+      }
+    }
+  expect_pixels("flood 4 20 20\nflood 4 20 20\nflood 8 2 3", [](int, int) { return true; });
 }
 
 TEST(Draw, TextInTheNamedFontWithEscapes) {
@@ -220,6 +240,9 @@ TEST(DrawErrors, SayTheLineTheCommandAndWhatIsWrong) {
       {"S\ntriangle 0 0 1 0 1", "line 2: triangle: y is missing"},
       {"S\ntriangle 0 0 1 0 1 1e3", "line 2: triangle: y must be a number, not '1e3'"},
       {"S\ntriangle 0 0 1 0 1 1048576.1", "line 2: triangle: point out of domain"},
+      {"S\nflood 6 1 1", "line 2: flood: a pixel has 4 or 8 neighbours, not '6'"},
+      {"S\nflood 4 1", "line 2: flood: y is missing"},
+      {"S\nflood 4 1 1048577", "line 2: flood: point out of domain"},
       {"S\npolygon 0 0 1 0 1 1", "line 2: polygon: the rule must be evenodd or nonzero, not '0'"},
       {"S\npolygon evenodd 0 0 1 0", "line 2: polygon: a contour needs 3 vertices, this has 2"},
       {"S\npolygon evenodd 0 0 1 0 1 1 /", "line 2: polygon: a contour needs 3 vertices, this has 0"},

@@ -9,24 +9,13 @@ namespace detail {
 
 PolygonScan::PolygonScan(FillRule rule, const linear::Rect& clip,
                          const std::span<PolygonEdge>& edges) noexcept
-    : edges_(edges),
-      clip_(clip),
-      mask_(rule == FillRule::even_odd   ? 1
-            : rule == FillRule::non_zero ? -1
-                                         : 0) {}
+    : edges_(edges), clip_(clip), mask_(winding_mask(rule)) {}
 
 Status PolygonScan::prepare(const std::span<const linear::SubPoint>& vertices,
                             const std::span<const int>& contour_lengths) noexcept {
   if (mask_ == 0) return {Error::out_of_range, Argument::rule};
-  std::size_t rest = vertices.size();
-  for (const int length : contour_lengths) {
-    // As an unsigned number a negative length is beyond any rest.
-    if (static_cast<std::size_t>(length) > rest) return {Error::mismatched, Argument::contours};
-    rest -= static_cast<std::size_t>(length);
-  }
-  if (rest != 0) return {Error::mismatched, Argument::contours};
-  for (const linear::SubPoint& vertex : vertices)
-    if (!linear::in_domain(vertex)) return {Error::out_of_domain, Argument::vertices};
+  const Status status = check_contours(vertices, contour_lengths);
+  if (!status.ok()) return status;
   if (clip_.empty()) return {};
 
   const linear::SubPoint* contour = vertices.data();

@@ -20,6 +20,7 @@
 
 #include <intaglio/linear/point.hpp>
 #include <intaglio/linear/rect.hpp>
+#include <intaglio/raster/contours.hpp>
 #include <intaglio/raster/edge.hpp>
 #include <intaglio/raster/row_span.hpp>
 #include <intaglio/raster/sink.hpp>
@@ -31,12 +32,6 @@
 #include <type_traits>
 
 namespace intaglio::raster {
-
-/// What is inside a contour that winds around a place more than once.
-enum class FillRule : std::uint8_t {
-  even_odd,  ///< Places that an odd number of turns winds around.
-  non_zero,  ///< Places that the turns to one side and to the other don't cancel at.
-};
 
 namespace detail {
 class PolygonScan;

@@ -5,10 +5,13 @@
 #include <intaglio/image/surface.hpp>
 #include <intaglio/raster/circle.hpp>
 #include <intaglio/raster/disc.hpp>
+#include <intaglio/raster/ellipse.hpp>
 #include <intaglio/raster/flood.hpp>
 #include <intaglio/raster/line.hpp>
 #include <intaglio/raster/pixel.hpp>
 #include <intaglio/raster/rectangle.hpp>
+#include <intaglio/raster/ring.hpp>
+#include <intaglio/raster/round_rect.hpp>
 #include <intaglio/raster/solid.hpp>
 #include <intaglio/raster/triangle.hpp>
 #include <intaglio/text/draw_text.hpp>
@@ -40,6 +43,21 @@ struct Drawer {
   Status operator()(const Circle& c) const {
     return c.filled ? raster::fill_disc(sink, c.centre, c.radius)
                     : raster::draw_circle(sink, c.centre, c.radius);
+  }
+  Status operator()(const DiametricCircle& c) const {
+    return c.filled ? raster::fill_disc_in(sink, c.top_left, c.diameter)
+                    : raster::draw_circle_in(sink, c.top_left, c.diameter);
+  }
+  Status operator()(const Ellipse& e) const {
+    return e.filled ? raster::fill_ellipse(sink, e.centre, e.x_radius, e.y_radius)
+                    : raster::draw_ellipse(sink, e.centre, e.x_radius, e.y_radius);
+  }
+  Status operator()(const Ring& r) const {
+    return raster::fill_ring(sink, r.centre, r.inner_radius, r.outer_radius);
+  }
+  Status operator()(const RoundRectangle& r) const {
+    return r.filled ? raster::fill_round_rect(sink, r.area, r.radii)
+                    : raster::draw_round_rect(sink, r.area, r.radii);
   }
   Status operator()(const Triangle& t) const { return raster::fill_triangle(sink, t.a, t.b, t.c); }
   Status operator()(const Polygon& p) const {

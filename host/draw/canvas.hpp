@@ -6,6 +6,7 @@
 #include <intaglio/linear/rect.hpp>
 #include <intaglio/raster/flood.hpp>
 #include <intaglio/raster/polygon.hpp>
+#include <intaglio/raster/round_rect.hpp>
 #include <intaglio/status.hpp>
 #include <intaglio/text/font.hpp>
 
@@ -36,6 +37,27 @@ struct Circle {
   int radius = 0;
   bool filled = false;
 };
+struct DiametricCircle {
+  linear::Point top_left;
+  int diameter = 0;
+  bool filled = false;
+};
+struct Ellipse {
+  linear::Point centre;
+  int x_radius = 0;
+  int y_radius = 0;
+  bool filled = false;
+};
+struct Ring {
+  linear::Point centre;
+  int inner_radius = 0;
+  int outer_radius = 0;
+};
+struct RoundRectangle {
+  linear::Rect area;
+  intaglio::raster::CornerRadii radii;
+  bool filled = false;
+};
 struct Triangle {
   linear::SubPoint a, b, c;
 };
@@ -53,7 +75,8 @@ struct Text {
   linear::Point top_left;
   std::string utf8;
 };
-using Primitive = std::variant<Pixel, Line, Rectangle, Circle, Triangle, Polygon, FloodFill, Text>;
+using Primitive = std::variant<Pixel, Line, Rectangle, Circle, DiametricCircle, Ellipse, Ring, RoundRectangle,
+                               Triangle, Polygon, FloodFill, Text>;
 
 /// How primitives are drawn.
 struct Pen {

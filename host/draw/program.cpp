@@ -195,6 +195,17 @@ class Interpreter {
   void fillrect(Arguments& in) { pending_ = Rectangle{in.rectangle(), true}; }
   void circle(Arguments& in) { pending_ = round(in, false); }
   void disc(Arguments& in) { pending_ = round(in, true); }
+  void evencircle(Arguments& in) { pending_ = diametric(in, false); }
+  void evendisc(Arguments& in) { pending_ = diametric(in, true); }
+  void ellipse(Arguments& in) { pending_ = oval(in, false); }
+  void fillellipse(Arguments& in) { pending_ = oval(in, true); }
+  void ring(Arguments& in) {
+    const Point centre = in.point("x", "y");
+    const int inner_radius = in.whole("inner radius");
+    pending_ = Ring{centre, inner_radius, in.whole("outer radius")};
+  }
+  void roundrect(Arguments& in) { pending_ = rounded(in, false); }
+  void fillroundrect(Arguments& in) { pending_ = rounded(in, true); }
   void triangle(Arguments& in) {
     const SubPoint a = in.subpoint();
     const SubPoint b = in.subpoint();
@@ -247,6 +258,26 @@ class Interpreter {
     return {centre, in.whole("radius"), filled};
   }
 
+  static DiametricCircle diametric(Arguments& in, bool filled) {
+    const Point top_left = in.point("x", "y");
+    return {top_left, in.whole("diameter"), filled};
+  }
+  static Ellipse oval(Arguments& in, bool filled) {
+    const Point centre = in.point("x", "y");
+    const int x_radius = in.whole("x radius");
+    return {centre, x_radius, in.whole("y radius"), filled};
+  }
+  static RoundRectangle rounded(Arguments& in, bool filled) {
+    const linear::Rect area = in.rectangle();
+    auto radii = intaglio::raster::CornerRadii::all(in.whole("radius"));
+    if (in.left() > 0) {
+      radii.top_right = in.whole("top right radius");
+      radii.bottom_right = in.whole("bottom right radius");
+      radii.bottom_left = in.whole("bottom left radius");
+    }
+    return {area, radii, filled};
+  }
+
   void draw() {
     const Status status = canvas_->draw(*pending_, pen_);
     pending_.reset();
@@ -256,7 +287,7 @@ class Interpreter {
   [[nodiscard]] int last_index() const { return static_cast<int>(canvas_->max_index()); }
 
   using Method = void (Interpreter::*)(Arguments&);
-  static constexpr std::array<std::pair<std::string_view, Method>, 17> commands{{
+  static constexpr std::array<std::pair<std::string_view, Method>, 24> commands{{
       {"surface", &Interpreter::surface},
       {"palette", &Interpreter::palette},
       {"color", &Interpreter::colour},
@@ -270,6 +301,13 @@ class Interpreter {
       {"fillrect", &Interpreter::fillrect},
       {"circle", &Interpreter::circle},
       {"disc", &Interpreter::disc},
+      {"evencircle", &Interpreter::evencircle},
+      {"evendisc", &Interpreter::evendisc},
+      {"ellipse", &Interpreter::ellipse},
+      {"fillellipse", &Interpreter::fillellipse},
+      {"ring", &Interpreter::ring},
+      {"roundrect", &Interpreter::roundrect},
+      {"fillroundrect", &Interpreter::fillroundrect},
       {"triangle", &Interpreter::triangle},
       {"polygon", &Interpreter::polygon},
       {"flood", &Interpreter::flood},
@@ -296,6 +334,10 @@ std::string_view language_help() {
   line X0 Y0 X1 Y1           both ends included
   rect X Y W H               outline; fillrect: filled
   circle X Y R               outline; disc: filled, outline included
+  evencircle X Y D           circle with the diameter D, even or odd, and its top left at X Y; evendisc: filled
+  ellipse X Y RX RY          outline; fillellipse: filled, outline included
+  ring X Y R_IN R_OUT        the disc of radius R_OUT without that of radius R_IN
+  roundrect X Y W H R        outline; fillroundrect: filled. Four radii instead of R go clockwise from top left
   triangle X Y X Y X Y       filled
   polygon evenodd|nonzero X Y X Y X Y ... [/ X Y ...]
                              filled; / begins another contour (a hole, an island)

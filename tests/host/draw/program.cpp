@@ -6,6 +6,7 @@
 #include <tests/oracle/circle.hpp>
 #include <tests/oracle/flood.hpp>
 #include <tests/oracle/line.hpp>
+#include <tests/oracle/oval.hpp>
 #include <tests/oracle/polygon.hpp>
 #include <tests/oracle/text.hpp>
 
@@ -74,6 +75,43 @@ TEST(Draw, CircleAndDisc) {
   expect_pixels("disc 20 18 25",
                 [](int x, int y) { return std::abs(x - 20) <= oracle::outline_reach(25, y - 18); });
   expect_pixels("disc 7 9 0", [](int x, int y) { return x == 7 && y == 9; });
+}
+
+TEST(Draw, CirclesByDiameter) {
+  expect_pixels("evencircle 3 4 14",
+                [](int x, int y) { return oracle::on_oval(13, 13, 2 * (x - 3) - 13, 2 * (y - 4) - 13); });
+  expect_pixels("evendisc -3 -4 22",
+                [](int x, int y) { return oracle::in_oval(21, 21, 2 * (x + 3) - 21, 2 * (y + 4) - 21); });
+  expect_pixels("evendisc 7 9 27",
+                [](int x, int y) { return std::abs(x - 20) <= oracle::outline_reach(13, y - 22); });
+}
+
+TEST(Draw, Ellipses) {
+  expect_pixels("ellipse 20 18 17 9",
+                [](int x, int y) { return oracle::on_oval(34, 18, 2 * (x - 20), 2 * (y - 18)); });
+  expect_pixels("fillellipse 20 18 9 1000",
+                [](int x, int y) { return oracle::in_oval(18, 2000, 2 * (x - 20), 2 * (y - 18)); });
+}
+
+TEST(Draw, Ring) {
+  expect_pixels("ring 20 18 7 13", [](int x, int y) {
+    const int distance = std::abs(x - 20);
+    return distance <= oracle::outline_reach(13, y - 18) && distance > oracle::outline_reach(7, y - 18);
+  });
+}
+
+TEST(Draw, RoundRectangles) {
+  // A side of 13 leaves room for a radius of 6: two half discs with a rectangle between them.
+  const auto in = [](int x, int y) {
+    const int dx = x < 11 ? 11 - x : x > 20 ? x - 20 : 0;
+    return dx <= oracle::outline_reach(6, y - 12);
+  };
+  expect_pixels("fillroundrect 5 6 22 13 99", in);
+  expect_pixels("roundrect 5 6 22 13 6", [&](int x, int y) {
+    return in(x, y) && !(in(x - 1, y) && in(x + 1, y) && in(x, y - 1) && in(x, y + 1));
+  });
+  expect_pixels("fillroundrect 5 6 22 13 0 2 0 0",
+                [](int x, int y) { return x >= 5 && x < 27 && y >= 6 && y < 19 && !(y == 6 && x == 26); });
 }
 
 TEST(Draw, TriangleTakesDecimals) {
@@ -235,6 +273,12 @@ TEST(DrawErrors, SayTheLineTheCommandAndWhatIsWrong) {
       {"S\nrect 0 0 2097153 1", "line 2: rect: rectangle out of domain"},
       {"S\nfillrect 0 9999999999 1 1", "line 2: fillrect: rectangle out of domain"},
       {"S\ncircle 1 1 -1", "line 2: circle: radius out of domain"},
+      {"S\nevendisc 1 1 -1", "line 2: evendisc: size out of domain"},
+      {"S\nellipse 1 1 4", "line 2: ellipse: y radius is missing"},
+      {"S\nfillellipse 1 1 4 -4", "line 2: fillellipse: radius out of domain"},
+      {"S\nring 1 1 4 3", "line 2: ring: radius mismatched"},
+      {"S\nroundrect 1 1 4 3 -1", "line 2: roundrect: radius out of domain"},
+      {"S\nroundrect 1 1 4 3 1 2", "line 2: roundrect: bottom right radius is missing"},
       {"S\ndisc 1 1 1048577", "line 2: disc: radius out of domain"},
       {"S\ndisc 1 1 2.5", "line 2: disc: radius must be a whole number, not '2.5'"},
       {"S\ntriangle 0 0 1 0 1", "line 2: triangle: y is missing"},

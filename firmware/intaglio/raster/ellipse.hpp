@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+//
+// Ellipses with axes along rows and columns, and circles and discs of any diameter.
+//
+// Rule: filled, the pixels of an oval (oval.hpp): those that aren't beyond the pixel nearest to the curve
+// along its minor direction. The outline is those of them with a neighbour outside (row_shape.hpp): each is
+// within half a pixel of the curve along x or y. A circle of odd diameter is that of circle.hpp; one of even
+// diameter has its middle on a corner between four pixels. Radius 0 leaves a straight line or one pixel.
+//
+// Only visible rows are visited: the work is bounded by what is visible, at any radius.
+//
+// Bit budget: centre within 2^20, radii <= 2^20 (oval.hpp has the squares). Error: none.
+// Textbook: section 2.4. Worst known inputs: see oval.hpp.
+#pragma once
+
+#include <intaglio/linear/point.hpp>
+#include <intaglio/linear/rect.hpp>
+#include <intaglio/raster/oval.hpp>
+#include <intaglio/raster/row_shape.hpp>
+#include <intaglio/raster/sink.hpp>
+#include <intaglio/status.hpp>
+
+namespace intaglio::raster {
+
+/// Fills the ellipse around the pixel `centre` (|c| <= 2^20) with half axes of 0..2^20 pixels along x and y;
+/// it is 2*x_radius + 1 wide. Errors: point, radius (outside the domain); nothing is drawn then. Cost: a few
+/// comparisons of products a visible row, on top of what the sink takes.
+template <SpanSink S>
+Status fill_ellipse(S&& sink, linear::Point centre, int x_radius, int y_radius) {
+  const Status status = detail::check_ellipse(centre, x_radius, y_radius);
+  if (status.ok()) detail::fill_rows(sink, detail::Oval::around(centre, x_radius, y_radius));
+  return status;
+}
+
+/// Draws the outline of the ellipse that `fill_ellipse` fills. Errors and cost as there.
+template <SpanSink S>
+Status draw_ellipse(S&& sink, linear::Point centre, int x_radius, int y_radius) {
+  const Status status = detail::check_ellipse(centre, x_radius, y_radius);
+  if (status.ok()) detail::outline_rows(sink, detail::Oval::around(centre, x_radius, y_radius));
+  return status;
+}
+
+/// Fills the disc that just fits the square of `diameter` pixels with its top left pixel at `top_left`
+/// (|c| <= 2^20). Diameter 0..2^21; 0 has no pixel, an odd one 2r + 1 is `fill_disc` with radius r.
+/// Errors: point, size (a diameter outside the domain); nothing is drawn then. Cost as of `fill_ellipse`.
+template <SpanSink S>
+Status fill_disc_in(S&& sink, linear::Point top_left, int diameter) {
+  const Status status = detail::check_diameter(top_left, diameter);
+  if (status.ok() && diameter > 0) detail::fill_rows(sink, detail::Oval(top_left, diameter, diameter));
+  return status;
+}
+
+/// Draws the outline of the disc that `fill_disc_in` fills. Errors and cost as there.
+template <SpanSink S>
+Status draw_circle_in(S&& sink, linear::Point top_left, int diameter) {
+  const Status status = detail::check_diameter(top_left, diameter);
+  if (status.ok() && diameter > 0) detail::outline_rows(sink, detail::Oval(top_left, diameter, diameter));
+  return status;
+}
+
+}  // namespace intaglio::raster

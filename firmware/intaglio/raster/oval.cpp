@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include <intaglio/linear/rect.hpp>
+#include <intaglio/number/mul_div.hpp>
+#include <intaglio/raster/oval.hpp>
+
+#include <algorithm>
+
+namespace intaglio::raster::detail {
+
+namespace {
+
+static_assert(linear::coordinate_limit <= 1 << 20,
+              "a half axis has 21 bits, its square times a coordinate 63");
+
+/// p*q >= r*s, whatever they are.
+bool product_at_least(std::uint64_t p, std::uint64_t q, std::uint64_t r, std::uint64_t s) noexcept {
+  if (((p | q | r | s) >> 32U) == 0) return p * q >= r * s;
+  const auto [left_high, left_low] = number::detail::multiply_wide(p, q);
+  const auto [right_high, right_low] = number::detail::multiply_wide(r, s);
+  return left_high != right_high ? left_high > right_high : left_low >= right_low;
+}
+
+std::uint64_t square(unsigned n) noexcept { return std::uint64_t{n} * n; }
+
+}  // namespace
+
+Oval::Oval(linear::Point corner, int width, int height) noexcept
+    : corner_(corner),
+      a_(width - 1),
+      b_(height - 1),
+      reach_(a_ & 1),
+      a_squared_(square(static_cast<unsigned>(a_))),
+      b_squared_(square(static_cast<unsigned>(b_))) {}
+
+bool Oval::holds(unsigned x, unsigned y) const noexcept {
+  // x <= a and y <= b, so neither difference is negative.
+  if (b_squared_ * x <= a_squared_ * y)
+    return y < 1 || product_at_least(b_squared_, a_squared_ - square(x), a_squared_, square(y - 1));
+  return product_at_least(a_squared_, b_squared_ - square(y), b_squared_, square(x - 1));
+}
+
+int Oval::inset(int from_top) noexcept {
+  const auto y = static_cast<unsigned>(2 * from_top >= b_ ? 2 * from_top - b_ : b_ - 2 * from_top);
+  const auto belongs = [&](int x) { return holds(static_cast<unsigned>(x), y); };
+  // The middle of a row always belongs. Steps double until the end is between reach_ and reach_ + step.
+  const int middle = a_ & 1;
+  int step = 2;
+  if (belongs(reach_)) {
+    for (; reach_ + step <= a_ && belongs(reach_ + step); step *= 2) reach_ += step;
+  } else {
+    for (; reach_ - step > middle && !belongs(reach_ - step); step *= 2) reach_ -= step;
+    reach_ = std::max(reach_ - step, middle);
+  }
+  while ((step /= 2) >= 2)
+    if (reach_ + step <= a_ && belongs(reach_ + step)) reach_ += step;
+  return (a_ - reach_) / 2;
+}
+
+RowSpan Oval::row(int y) noexcept {
+  if (y < top() || y >= bottom()) return {y, 0, 0};
+  const int left = inset(y - top());
+  return {y, corner_.x + left, corner_.x + a_ + 1 - left};
+}
+
+Status check_ellipse(linear::Point centre, int x_radius, int y_radius) noexcept {
+  if (!linear::in_domain(centre)) return {Error::out_of_domain, Argument::point};
+  if (x_radius < 0 || y_radius < 0 || !linear::in_domain(x_radius) || !linear::in_domain(y_radius))
+    return {Error::out_of_domain, Argument::radius};
+  return {};
+}
+
+Status check_diameter(linear::Point top_left, int diameter) noexcept {
+  if (!linear::in_domain(top_left)) return {Error::out_of_domain, Argument::point};
+  if (diameter < 0 || !linear::length_in_domain(diameter)) return {Error::out_of_domain, Argument::size};
+  return {};
+}
+
+}  // namespace intaglio::raster::detail

@@ -3,6 +3,7 @@
 #include <host/draw/counting_sink.hpp>
 #include <intaglio/image/digest.hpp>
 #include <intaglio/image/surface.hpp>
+#include <intaglio/raster/arc.hpp>
 #include <intaglio/raster/circle.hpp>
 #include <intaglio/raster/disc.hpp>
 #include <intaglio/raster/ellipse.hpp>
@@ -54,6 +55,10 @@ struct Drawer {
   }
   Status operator()(const Ring& r) const {
     return raster::fill_ring(sink, r.centre, r.inner_radius, r.outer_radius);
+  }
+  Status operator()(const Arc& a) const {
+    return a.filled ? raster::fill_pie(sink, a.centre, a.radius, a.start, a.sweep)
+                    : raster::draw_arc(sink, a.centre, a.radius, a.start, a.sweep);
   }
   Status operator()(const RoundRectangle& r) const {
     return r.filled ? raster::fill_round_rect(sink, r.area, r.radii)

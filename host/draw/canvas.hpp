@@ -4,6 +4,7 @@
 #pragma once
 
 #include <intaglio/linear/rect.hpp>
+#include <intaglio/number/angle.hpp>
 #include <intaglio/raster/flood.hpp>
 #include <intaglio/raster/polygon.hpp>
 #include <intaglio/raster/round_rect.hpp>
@@ -53,6 +54,13 @@ struct Ring {
   int inner_radius = 0;
   int outer_radius = 0;
 };
+struct Arc {
+  linear::Point centre;
+  int radius = 0;
+  intaglio::number::Angle start;
+  int sweep = 0;
+  bool filled = false;  ///< To the centre.
+};
 struct RoundRectangle {
   linear::Rect area;
   intaglio::raster::CornerRadii radii;
@@ -75,8 +83,8 @@ struct Text {
   linear::Point top_left;
   std::string utf8;
 };
-using Primitive = std::variant<Pixel, Line, Rectangle, Circle, DiametricCircle, Ellipse, Ring, RoundRectangle,
-                               Triangle, Polygon, FloodFill, Text>;
+using Primitive = std::variant<Pixel, Line, Rectangle, Circle, DiametricCircle, Ellipse, Ring, Arc,
+                               RoundRectangle, Triangle, Polygon, FloodFill, Text>;
 
 /// How primitives are drawn.
 struct Pen {

@@ -204,6 +204,8 @@ class Interpreter {
     const int inner_radius = in.whole("inner radius");
     pending_ = Ring{centre, inner_radius, in.whole("outer radius")};
   }
+  void arc(Arguments& in) { pending_ = swept(in, false); }
+  void pie(Arguments& in) { pending_ = swept(in, true); }
   void roundrect(Arguments& in) { pending_ = rounded(in, false); }
   void fillroundrect(Arguments& in) { pending_ = rounded(in, true); }
   void triangle(Arguments& in) {
@@ -267,6 +269,12 @@ class Interpreter {
     const int x_radius = in.whole("x radius");
     return {centre, x_radius, in.whole("y radius"), filled};
   }
+  static Arc swept(Arguments& in, bool filled) {
+    const Point centre = in.point("x", "y");
+    const int radius = in.whole("radius");
+    const auto start = intaglio::number::Angle::from_steps(in.whole("start"));
+    return {centre, radius, start, in.whole("sweep"), filled};
+  }
   static RoundRectangle rounded(Arguments& in, bool filled) {
     const linear::Rect area = in.rectangle();
     auto radii = intaglio::raster::CornerRadii::all(in.whole("radius"));
@@ -287,7 +295,7 @@ class Interpreter {
   [[nodiscard]] int last_index() const { return static_cast<int>(canvas_->max_index()); }
 
   using Method = void (Interpreter::*)(Arguments&);
-  static constexpr std::array<std::pair<std::string_view, Method>, 24> commands{{
+  static constexpr std::array<std::pair<std::string_view, Method>, 26> commands{{
       {"surface", &Interpreter::surface},
       {"palette", &Interpreter::palette},
       {"color", &Interpreter::colour},
@@ -306,6 +314,8 @@ class Interpreter {
       {"ellipse", &Interpreter::ellipse},
       {"fillellipse", &Interpreter::fillellipse},
       {"ring", &Interpreter::ring},
+      {"arc", &Interpreter::arc},
+      {"pie", &Interpreter::pie},
       {"roundrect", &Interpreter::roundrect},
       {"fillroundrect", &Interpreter::fillroundrect},
       {"triangle", &Interpreter::triangle},
@@ -337,6 +347,8 @@ std::string_view language_help() {
   evencircle X Y D           circle with the diameter D, even or odd, and its top left at X Y; evendisc: filled
   ellipse X Y RX RY          outline; fillellipse: filled, outline included
   ring X Y R_IN R_OUT        the disc of radius R_OUT without that of radius R_IN
+  arc X Y R START SWEEP      part of a circle; pie: of a disc. In 1/65536 turn, clockwise from three o'clock; the
+                             larger angle is left out, negative sweeps go the other way, a turn or more is all
   roundrect X Y W H R        outline; fillroundrect: filled. Four radii instead of R go clockwise from top left
   triangle X Y X Y X Y       filled
   polygon evenodd|nonzero X Y X Y X Y ... [/ X Y ...]

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <intaglio/linear/rect.hpp>
-#include <intaglio/number/mul_div.hpp>
+#include <intaglio/number/product.hpp>
 #include <intaglio/raster/oval.hpp>
 
 #include <algorithm>
@@ -11,14 +11,6 @@ namespace {
 
 static_assert(linear::coordinate_limit <= 1 << 20,
               "a half axis has 21 bits, its square times a coordinate 63");
-
-/// p*q >= r*s, whatever they are.
-bool product_at_least(std::uint64_t p, std::uint64_t q, std::uint64_t r, std::uint64_t s) noexcept {
-  if (((p | q | r | s) >> 32U) == 0) return p * q >= r * s;
-  const auto [left_high, left_low] = number::detail::multiply_wide(p, q);
-  const auto [right_high, right_low] = number::detail::multiply_wide(r, s);
-  return left_high != right_high ? left_high > right_high : left_low >= right_low;
-}
 
 std::uint64_t square(unsigned n) noexcept { return std::uint64_t{n} * n; }
 
@@ -35,8 +27,8 @@ Oval::Oval(linear::Point corner, int width, int height) noexcept
 bool Oval::holds(unsigned x, unsigned y) const noexcept {
   // x <= a and y <= b, so neither difference is negative.
   if (b_squared_ * x <= a_squared_ * y)
-    return y < 1 || product_at_least(b_squared_, a_squared_ - square(x), a_squared_, square(y - 1));
-  return product_at_least(a_squared_, b_squared_ - square(y), b_squared_, square(x - 1));
+    return y < 1 || number::product_at_least(b_squared_, a_squared_ - square(x), a_squared_, square(y - 1));
+  return number::product_at_least(a_squared_, b_squared_ - square(y), b_squared_, square(x - 1));
 }
 
 int Oval::inset(int from_top) noexcept {

@@ -8,6 +8,7 @@
 #include <tests/oracle/line.hpp>
 #include <tests/oracle/oval.hpp>
 #include <tests/oracle/polygon.hpp>
+#include <tests/oracle/sector.hpp>
 #include <tests/oracle/text.hpp>
 
 #include <gtest/gtest.h>
@@ -98,6 +99,19 @@ TEST(Draw, Ring) {
     const int distance = std::abs(x - 20);
     return distance <= oracle::outline_reach(13, y - 18) && distance > oracle::outline_reach(7, y - 18);
   });
+}
+
+TEST(Draw, ArcAndPie) {
+  expect_pixels("arc 20 18 13 60000 20000", [](int x, int y) {
+    return oracle::on_circle(13, x - 20, y - 18) && oracle::in_sweep(x - 20, y - 18, 60000, 20000);
+  });
+  expect_pixels("pie 20 18 13 -70000 -30000", [](int x, int y) {
+    return std::abs(x - 20) <= oracle::outline_reach(13, y - 18) &&
+           oracle::in_sweep(x - 20, y - 18, 61072, -30000);
+  });
+  expect_pixels(
+      "arc 20 18 13 0 16384\narc 20 18 13 16384 16384\narc 20 18 13 32768 16384\narc 20 18 13 0 -16384",
+      [](int x, int y) { return oracle::on_circle(13, x - 20, y - 18); });
 }
 
 TEST(Draw, RoundRectangles) {
@@ -276,6 +290,8 @@ TEST(DrawErrors, SayTheLineTheCommandAndWhatIsWrong) {
       {"S\nevendisc 1 1 -1", "line 2: evendisc: size out of domain"},
       {"S\nellipse 1 1 4", "line 2: ellipse: y radius is missing"},
       {"S\nfillellipse 1 1 4 -4", "line 2: fillellipse: radius out of domain"},
+      {"S\narc 1 1 -4 3 3", "line 2: arc: radius out of domain"},
+      {"S\npie 1 1 4 3", "line 2: pie: sweep is missing"},
       {"S\nring 1 1 4 3", "line 2: ring: radius mismatched"},
       {"S\nroundrect 1 1 4 3 -1", "line 2: roundrect: radius out of domain"},
       {"S\nroundrect 1 1 4 3 1 2", "line 2: roundrect: bottom right radius is missing"},

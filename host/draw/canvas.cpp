@@ -5,6 +5,7 @@
 #include <intaglio/image/surface.hpp>
 #include <intaglio/raster/arc.hpp>
 #include <intaglio/raster/circle.hpp>
+#include <intaglio/raster/dash.hpp>
 #include <intaglio/raster/disc.hpp>
 #include <intaglio/raster/ellipse.hpp>
 #include <intaglio/raster/flood.hpp>
@@ -38,6 +39,9 @@ struct Drawer {
 
   Status operator()(const Pixel& p) const { return raster::draw_pixel(sink, p.at); }
   Status operator()(const Line& l) const { return raster::draw_line(sink, l.from, l.to); }
+  Status operator()(const Dashes& d) const {
+    return raster::draw_dashed_line(sink, d.from, d.to, d.on, d.off);
+  }
   Status operator()(const Rectangle& r) const {
     return r.filled ? raster::fill_rect(sink, r.area) : raster::draw_rect(sink, r.area);
   }

@@ -27,6 +27,11 @@ struct Pixel {
   linear::Point at;
 };
 struct Line {
+  linear::SubPoint from, to;
+};
+struct Dashes {
+  int on = 0;
+  int off = 0;
   linear::Point from, to;
 };
 struct Rectangle {
@@ -83,7 +88,7 @@ struct Text {
   linear::Point top_left;
   std::string utf8;
 };
-using Primitive = std::variant<Pixel, Line, Rectangle, Circle, DiametricCircle, Ellipse, Ring, Arc,
+using Primitive = std::variant<Pixel, Line, Dashes, Rectangle, Circle, DiametricCircle, Ellipse, Ring, Arc,
                                RoundRectangle, Triangle, Polygon, FloodFill, Text>;
 
 /// How primitives are drawn.

@@ -95,9 +95,9 @@ class Arguments {
     const int first = whole(x);
     return {first, whole(y)};
   }
-  SubPoint subpoint() {
-    const int x = subpixel("x");
-    return {x, subpixel("y")};
+  SubPoint subpoint(std::string_view x = "x", std::string_view y = "y") {
+    const int first = subpixel(x);
+    return {first, subpixel(y)};
   }
   linear::Rect rectangle() {
     const Point corner = point("x", "y");
@@ -188,8 +188,14 @@ class Interpreter {
 
   void pixel(Arguments& in) { pending_ = Pixel{in.point("x", "y")}; }
   void line(Arguments& in) {
+    const SubPoint from = in.subpoint("x0", "y0");
+    pending_ = Line{from, in.subpoint("x1", "y1")};
+  }
+  void dash(Arguments& in) {
+    const int on = in.whole("on");
+    const int off = in.whole("off");
     const Point from = in.point("x0", "y0");
-    pending_ = Line{from, in.point("x1", "y1")};
+    pending_ = Dashes{on, off, from, in.point("x1", "y1")};
   }
   void rect(Arguments& in) { pending_ = Rectangle{in.rectangle(), false}; }
   void fillrect(Arguments& in) { pending_ = Rectangle{in.rectangle(), true}; }
@@ -295,7 +301,7 @@ class Interpreter {
   [[nodiscard]] int last_index() const { return static_cast<int>(canvas_->max_index()); }
 
   using Method = void (Interpreter::*)(Arguments&);
-  static constexpr std::array<std::pair<std::string_view, Method>, 26> commands{{
+  static constexpr std::array<std::pair<std::string_view, Method>, 27> commands{{
       {"surface", &Interpreter::surface},
       {"palette", &Interpreter::palette},
       {"color", &Interpreter::colour},
@@ -305,6 +311,7 @@ class Interpreter {
       {"font", &Interpreter::font},
       {"pixel", &Interpreter::pixel},
       {"line", &Interpreter::line},
+      {"dash", &Interpreter::dash},
       {"rect", &Interpreter::rect},
       {"fillrect", &Interpreter::fillrect},
       {"circle", &Interpreter::circle},
@@ -342,6 +349,7 @@ std::string_view language_help() {
   clip X Y W H | clip none   draw only inside
   pixel X Y
   line X0 Y0 X1 Y1           both ends included
+  dash ON OFF X0 Y0 X1 Y1    of that line ON pixels and OFF not, in turn, from X0 Y0 on
   rect X Y W H               outline; fillrect: filled
   circle X Y R               outline; disc: filled, outline included
   evencircle X Y D           circle with the diameter D, even or odd, and its top left at X Y; evendisc: filled
@@ -357,7 +365,7 @@ std::string_view language_help() {
   font NAME                  fixed_6x13 (the default), fixed_5x8, sans_11, digits_16, digits_28, digits_48
   text X Y "UTF-8"           top left of the text; escapes \" \\ and \n (next line)
 The surface is black (index 0) at first. Coordinates are whole pixels up to 2^20 either way, and may lie outside
-the surface. Those of triangle and polygon may be decimal; they are rounded to the nearest 1/256, halves away
+the surface. Those of line, triangle and polygon may be decimal; they are rounded to the nearest 1/256, halves away
 from zero. An error says `line N: ...`, nothing is written then, and the exit code is 1.)";
 }
 

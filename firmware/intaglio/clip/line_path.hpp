@@ -43,4 +43,10 @@ struct LinePath {
 /// Errors: out_of_domain point; the path is empty then.
 Status line_path(linear::Point a, linear::Point b, const linear::Rect& window, LinePath& path) noexcept;
 
+/// The same for ends in 1/256 pixel: from the column (row, if steep) nearest to one end to that nearest to
+/// the other, ties to the larger, both included, the nearest pixel of each to the line through the ends. The
+/// ends' own columns may stick out by half a pixel, over which the line goes on straight. On whole pixels the
+/// same path.
+Status line_path(linear::SubPoint a, linear::SubPoint b, const linear::Rect& window, LinePath& path) noexcept;
+
 }  // namespace intaglio::clip

@@ -60,6 +60,14 @@ TEST(Draw, Line) {
   expect_pixels("line 2 3 45 17", [](int x, int y) { return oracle::on_line(2, 3, 45, 17, x, y); });
   expect_pixels("line 30000 20000 -1000 -900",
                 [](int x, int y) { return oracle::on_line(30000, 20000, -1000, -900, x, y); });
+  expect_pixels("line 2.25 3 45 17.5",
+                [](int x, int y) { return oracle::on_sub_line(576, 768, 11520, 4480, x, y); });
+}
+
+TEST(Draw, Dash) {
+  expect_pixels("dash 3 2 45 17 2 3", [](int x, int y) { return oracle::on_dash(45, 17, 2, 3, 3, 2, x, y); });
+  expect_pixels("dash 7 4 1000000 -900000 -1000000 900001",
+                [](int x, int y) { return oracle::on_dash(1000000, -900000, -1000000, 900001, 7, 4, x, y); });
 }
 
 TEST(Draw, Rectangles) {
@@ -284,6 +292,10 @@ TEST(DrawErrors, SayTheLineTheCommandAndWhatIsWrong) {
       {"S\npixel 1048577 0", "line 2: pixel: point out of domain"},
       {"S\nline 1 1 2", "line 2: line: y1 is missing"},
       {"S\nline 0 0 0 -1048577", "line 2: line: point out of domain"},
+      {"S\ndash 0 1 1 1 2 2", "line 2: dash: steps out of range"},
+      {"S\ndash 1 1.5 1 1 2 2", "line 2: dash: off must be a whole number, not '1.5'"},
+      {"S\ndash 1 1 1 1 2 1048577", "line 2: dash: point out of domain"},
+      {"S\ndash 1 1 1 1 2", "line 2: dash: y1 is missing"},
       {"S\nrect 0 0 2097153 1", "line 2: rect: rectangle out of domain"},
       {"S\nfillrect 0 9999999999 1 1", "line 2: fillrect: rectangle out of domain"},
       {"S\ncircle 1 1 -1", "line 2: circle: radius out of domain"},

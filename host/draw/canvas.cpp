@@ -42,6 +42,9 @@ struct Drawer {
   Status operator()(const Dashes& d) const {
     return raster::draw_dashed_line(sink, d.from, d.to, d.on, d.off);
   }
+  Status operator()(const ThickLine& l) const {
+    return raster::draw_thick_line(sink, l.from, l.to, l.width, l.cap);
+  }
   Status operator()(const Rectangle& r) const {
     return r.filled ? raster::fill_rect(sink, r.area) : raster::draw_rect(sink, r.area);
   }

@@ -8,6 +8,7 @@
 #include <intaglio/raster/flood.hpp>
 #include <intaglio/raster/polygon.hpp>
 #include <intaglio/raster/round_rect.hpp>
+#include <intaglio/raster/thick_line.hpp>
 #include <intaglio/status.hpp>
 #include <intaglio/text/font.hpp>
 
@@ -33,6 +34,11 @@ struct Dashes {
   int on = 0;
   int off = 0;
   linear::Point from, to;
+};
+struct ThickLine {
+  linear::SubPoint from, to;
+  int width = 0;  ///< in 1/256 pixel
+  intaglio::raster::Cap cap{};
 };
 struct Rectangle {
   linear::Rect area;
@@ -88,8 +94,8 @@ struct Text {
   linear::Point top_left;
   std::string utf8;
 };
-using Primitive = std::variant<Pixel, Line, Dashes, Rectangle, Circle, DiametricCircle, Ellipse, Ring, Arc,
-                               RoundRectangle, Triangle, Polygon, FloodFill, Text>;
+using Primitive = std::variant<Pixel, Line, Dashes, ThickLine, Rectangle, Circle, DiametricCircle, Ellipse,
+                               Ring, Arc, RoundRectangle, Triangle, Polygon, FloodFill, Text>;
 
 /// How primitives are drawn.
 struct Pen {

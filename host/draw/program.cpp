@@ -197,6 +197,16 @@ class Interpreter {
     const Point from = in.point("x0", "y0");
     pending_ = Dashes{on, off, from, in.point("x1", "y1")};
   }
+  void thickline(Arguments& in) {
+    using intaglio::raster::Cap;
+    const SubPoint from = in.subpoint("x0", "y0");
+    const SubPoint to = in.subpoint("x1", "y1");
+    const int width = in.subpixel("width");
+    const std::string cap = in.left() > 0 ? in.word("cap").text : "butt";
+    if (cap != "butt" && cap != "square")
+      throw Failure(fmt::format("the cap must be butt or square, not '{}'", cap));
+    pending_ = ThickLine{from, to, width, cap == "butt" ? Cap::butt : Cap::square};
+  }
   void rect(Arguments& in) { pending_ = Rectangle{in.rectangle(), false}; }
   void fillrect(Arguments& in) { pending_ = Rectangle{in.rectangle(), true}; }
   void circle(Arguments& in) { pending_ = round(in, false); }
@@ -301,7 +311,7 @@ class Interpreter {
   [[nodiscard]] int last_index() const { return static_cast<int>(canvas_->max_index()); }
 
   using Method = void (Interpreter::*)(Arguments&);
-  static constexpr std::array<std::pair<std::string_view, Method>, 27> commands{{
+  static constexpr std::array<std::pair<std::string_view, Method>, 28> commands{{
       {"surface", &Interpreter::surface},
       {"palette", &Interpreter::palette},
       {"color", &Interpreter::colour},
@@ -312,6 +322,7 @@ class Interpreter {
       {"pixel", &Interpreter::pixel},
       {"line", &Interpreter::line},
       {"dash", &Interpreter::dash},
+      {"thickline", &Interpreter::thickline},
       {"rect", &Interpreter::rect},
       {"fillrect", &Interpreter::fillrect},
       {"circle", &Interpreter::circle},
@@ -350,6 +361,8 @@ std::string_view language_help() {
   pixel X Y
   line X0 Y0 X1 Y1           both ends included
   dash ON OFF X0 Y0 X1 Y1    of that line ON pixels and OFF not, in turn, from X0 Y0 on
+  thickline X0 Y0 X1 Y1 WIDTH [butt|square]
+                             WIDTH across the line, whichever way it runs; square ends stick out by half of it
   rect X Y W H               outline; fillrect: filled
   circle X Y R               outline; disc: filled, outline included
   evencircle X Y D           circle with the diameter D, even or odd, and its top left at X Y; evendisc: filled
@@ -365,8 +378,8 @@ std::string_view language_help() {
   font NAME                  fixed_6x13 (the default), fixed_5x8, sans_11, digits_16, digits_28, digits_48
   text X Y "UTF-8"           top left of the text; escapes \" \\ and \n (next line)
 The surface is black (index 0) at first. Coordinates are whole pixels up to 2^20 either way, and may lie outside
-the surface. Those of line, triangle and polygon may be decimal; they are rounded to the nearest 1/256, halves away
-from zero. An error says `line N: ...`, nothing is written then, and the exit code is 1.)";
+the surface. Those of line, thickline, triangle and polygon may be decimal; they are rounded to the nearest
+1/256, halves away from zero. An error says `line N: ...`, nothing is written then, and the exit code is 1.)";
 }
 
 std::shared_ptr<const Canvas> draw_program(std::string_view source) {

@@ -108,6 +108,8 @@ TEST_F(DrawTool, HelpNamesEveryCommand) {
                            "ellipse ",
                            "fillellipse",
                            "ring ",
+                           "dash ",
+                           "thickline ",
                            "arc ",
                            "pie",
                            "roundrect ",

@@ -70,6 +70,18 @@ TEST(Draw, Dash) {
                 [](int x, int y) { return oracle::on_dash(1000000, -900000, -1000000, 900001, 7, 4, x, y); });
 }
 
+TEST(Draw, ThickLine) {
+  expect_pixels("thickline 5 10 30 10 4", [](int x, int y) { return x >= 5 && x < 30 && y >= 8 && y < 12; });
+  expect_pixels("thickline 10.5 30 10.5 9 5 square",
+                [](int x, int y) { return x >= 8 && x < 13 && y >= 7 && y < 33; });
+  // Half the width of 25 across (18,24) is (10,-7.5).
+  expect_pixels("thickline 7 8 25 32 25 butt", [](int x, int y) {
+    const oracle::Contours contours{
+        {{-3 * 256, 31 * 128}, {15 * 256, 79 * 128}, {35 * 256, 49 * 128}, {17 * 256, 128}}};
+    return oracle::in_polygon(contours, false, x, y);
+  });
+}
+
 TEST(Draw, Rectangles) {
   const auto in = [](int x, int y) { return x >= 5 && x < 12 && y >= 6 && y < 10; };
   expect_pixels("fillrect 5 6 7 4", in);
@@ -292,6 +304,10 @@ TEST(DrawErrors, SayTheLineTheCommandAndWhatIsWrong) {
       {"S\npixel 1048577 0", "line 2: pixel: point out of domain"},
       {"S\nline 1 1 2", "line 2: line: y1 is missing"},
       {"S\nline 0 0 0 -1048577", "line 2: line: point out of domain"},
+      {"S\nthickline 0 0 5 5 -1", "line 2: thickline: width out of domain"},
+      {"S\nthickline 0 0 5 5 1 flat", "line 2: thickline: the cap must be butt or square, not 'flat'"},
+      {"S\nthickline 0 0 5 5", "line 2: thickline: width is missing"},
+      {"S\nthickline 0 0 1048576 1048576 9", "line 2: thickline: point out of domain"},
       {"S\ndash 0 1 1 1 2 2", "line 2: dash: steps out of range"},
       {"S\ndash 1 1.5 1 1 2 2", "line 2: dash: off must be a whole number, not '1.5'"},
       {"S\ndash 1 1 1 1 2 1048577", "line 2: dash: point out of domain"},

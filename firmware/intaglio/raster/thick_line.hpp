@@ -9,7 +9,7 @@
 //
 // Both halves are triangles, which share the diagonal's pixels by the same rule.
 // Error: the corners lie at the ends plus and minus one and the same offset, whose two coordinates are the
-// true ones rounded, off by at most 1/2 + width/2^32 units of 1/256 pixel (up to 4096 pixels wide: 0.5003).
+// true ones rounded, off by at most 1/2 + width/2^31 units of 1/256 pixel (up to 4096 pixels wide: 0.5005).
 // So the sides are exactly parallel to the line. Bit budget: see thick_line.cpp. Textbook: section 2.3.3,
 // whose line is thick along the minor axis only, hence 1/sqrt(2) too thin along diagonals. Worst known
 // inputs: a width of 1 along a diagonal; ends that fall together.

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: MIT
+#include <intaglio/image/scale.hpp>
+#include <tests/image/formats.hpp>
+#include <tests/oracle/scale.hpp>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <optional>
+
+namespace {
+
+using intaglio::Argument;
+using intaglio::Error;
+using intaglio::Status;
+using intaglio::image::blit;
+using intaglio::image::blit_scaled;
+using intaglio::image::ColourKey;
+using intaglio::image::Everything;
+using intaglio::image::everywhere;
+using intaglio::image::Indexed2;
+using intaglio::image::Indexed4;
+using intaglio::image::Indexed8;
+using intaglio::image::KeyedRemap;
+using intaglio::image::Picture;
+using intaglio::image::Remap;
+using intaglio::image::Surface;
+using intaglio::linear::Point;
+using intaglio::linear::Rect;
+using intaglio::linear::Size;
+using oracle::Packed;
+
+constexpr int limit = 1 << 20;
+constexpr int width = 29;
+constexpr int height = 11;
+
+std::string text(const Rect& r) {
+  return std::to_string(r.x) + ',' + std::to_string(r.y) + ' ' + std::to_string(r.width) + 'x' +
+         std::to_string(r.height);
+}
+
+bool inside(const Rect& r, int x, int y) {
+  return x >= r.x && x - r.x < r.width && y >= r.y && y - r.y < r.height;
+}
+
+/// Every pixel of a `width` x `height` target asked by itself.
+template <class Map>
+void expect_scaled(Packed& target, const Packed& source, const Rect& part, const Rect& destination,
+                   const Rect& clip, Map map) {
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      if (!inside(destination, x, y) || !inside(clip, x, y)) continue;
+      const int column = oracle::scaled_source(x - destination.x, part.width, destination.width);
+      const int row = oracle::scaled_source(y - destination.y, part.height, destination.height);
+      const std::optional<unsigned> index = map(source.get(part.x + column, part.y + row));
+      if (index) target.set(x, y, *index);
+    }
+}
+
+/// A start and a length that matter to a target of `extent` pixels: small, or up to the domain's edge.
+std::pair<int, int> random_extent(oracle::Random& random, int extent) {
+  switch (random.between(0, 3)) {
+    case 0:
+      return {random.between(-limit, extent), random.between(1, 2 * limit)};
+    case 1:
+      return {random.between(-4 * extent, extent), random.between(1, 8 * extent)};
+    default:
+      return {random.between(-extent, extent), random.between(-1, 2 * extent)};
+  }
+}
+
+template <class F, class G, class Rule, class Map>
+void check(oracle::Random& random, const Rule& rule, Map map) {
+  constexpr int most = 19;
+  const int x = random.between(0, most - 1);
+  const int y = random.between(0, most - 1);
+  const Rect part{x, y, random.between(1, most - x), random.between(1, most - y)};
+  const auto [left, columns] = random_extent(random, width);
+  const auto [top, rows] = random_extent(random, height);
+  const Rect destination{left, top, columns, rows};
+  Rect clip = everywhere;
+  if (random.between(0, 1) == 0)
+    clip = {random.between(-5, 20), random.between(-3, 5), random.between(-1, 30), random.between(-1, 12)};
+  Packed to = tests::packed_rows<F>(width, height, random.between(0, 3));
+  Packed from = tests::packed_rows<G>(most, most, random.between(0, 3));
+  to.randomize(random);
+  from.randomize(random);
+  Packed expected = to;
+  expect_scaled(expected, from, part, destination, clip, map);
+  const Picture<G> source = tests::surface_over<G>(from, most, most).sub(part);
+  ASSERT_TRUE(blit_scaled(tests::surface_over<F>(to, width, height), destination, source, rule, clip).ok());
+  ASSERT_EQ(to.bytes(), expected.bytes()) << "source " << text(part) << " to " << text(destination)
+                                          << " clip " << text(clip) << ", " << random.seed_text();
+}
+
+template <class F, class G>
+void check_pair(std::uint32_t seed, int jobs) {
+  oracle::Random random(seed);
+  for (int i = 0; i < jobs && !testing::Test::HasFatalFailure(); ++i) {
+    const auto key = static_cast<unsigned>(random.bits() % (G::max_index + 1U));
+    std::array<std::uint8_t, G::max_index + 1> table{};
+    for (std::uint8_t& entry : table) entry = static_cast<std::uint8_t>(random.bits() % (F::max_index + 1U));
+    check<F, G>(random, Remap{table}, [&](unsigned index) { return std::optional<unsigned>(table[index]); });
+    check<F, G>(random, KeyedRemap{key, table}, [&](unsigned index) {
+      return index == key ? std::nullopt : std::optional<unsigned>(table[index]);
+    });
+    if constexpr (G::bits <= F::bits) {
+      check<F, G>(random, Everything{}, [](unsigned index) { return std::optional<unsigned>(index); });
+      check<F, G>(random, ColourKey{key}, [&](unsigned index) {
+        return index == key ? std::nullopt : std::optional<unsigned>(index);
+      });
+    }
+  }
+}
+
+template <class F>
+class Scale : public testing::Test {};
+TYPED_TEST_SUITE(Scale, tests::AllFormats);
+
+template <class F, class... Sources>
+void check_all_sources(testing::Types<Sources...>) {
+  std::uint32_t seed = 5000;
+  (check_pair<F, Sources>(++seed, 400), ...);
+}
+
+TYPED_TEST(Scale, FromEveryFormatByEveryRuleEqualsThePredicatePixelByPixel) {
+  check_all_sources<TypeParam>(tests::AllFormats{});
+}
+
+TYPED_TEST(Scale, ToItsOwnSizeIsAPlainBlit) {
+  oracle::Random random(51);
+  Packed from = tests::packed_rows<TypeParam>(13, 7);
+  from.randomize(random);
+  const Picture<TypeParam> source = tests::surface_over<TypeParam>(from, 13, 7);
+  for (const Point at : {Point{0, 0}, Point{-5, 3}, Point{20, -2}}) {
+    Packed scaled = tests::packed_rows<TypeParam>(width, height);
+    Packed copied = scaled;
+    ASSERT_TRUE(
+        blit_scaled(tests::surface_over<TypeParam>(scaled, width, height), {at.x, at.y, 13, 7}, source).ok());
+    ASSERT_TRUE(blit(tests::surface_over<TypeParam>(copied, width, height), at, source).ok());
+    EXPECT_EQ(scaled.bytes(), copied.bytes()) << at.x << ' ' << at.y;
+  }
+}
+
+TYPED_TEST(Scale, BandsOfTheTargetAndOfTheSourceGiveTheWholePicture) {
+  oracle::Random random(52);
+  Packed from = tests::packed_rows<TypeParam>(7, 5);
+  from.randomize(random);
+  const auto source = Picture<TypeParam>::over_band(from.bytes(), {-3, 40, 7, 5});
+  ASSERT_TRUE(source.ok());
+  const Rect destination{-4, -2, 31, 17};
+  Packed whole = tests::packed_rows<TypeParam>(width, height);
+  expect_scaled(whole, from, {0, 0, 7, 5}, destination, {0, 0, width, height},
+                [](unsigned index) { return std::optional<unsigned>(index); });
+  for (int rows = 1; rows <= height; ++rows) {
+    Packed in_bands = tests::packed_rows<TypeParam>(width, height);
+    for (int y = 0; y < height; y += rows) {
+      const auto rest = std::span(in_bands.bytes()).subspan(static_cast<std::size_t>(y * in_bands.stride()));
+      const auto band = Surface<TypeParam>::over_band(rest, {0, y, width, std::min(rows, height - y)});
+      ASSERT_TRUE(band.ok());
+      ASSERT_TRUE(blit_scaled(band.value(), destination, source.value()).ok());
+    }
+    ASSERT_EQ(in_bands.bytes(), whole.bytes()) << rows;
+  }
+}
+
+TEST(ScaleStep, EqualsThePredicateAtEveryPixelOfOddAndHugeLengths) {
+  // A drift of one part in 2^21 would show at the end of the longest ones.
+  for (const Size pair : {Size{1, 2 * limit}, Size{limit, 2 * limit}, Size{limit, 1}, Size{limit, limit - 1},
+                          Size{limit - 1, 2 * limit - 1}, Size{limit - 1, 3}, Size{7, 2 * limit - 3},
+                          Size{699051, 1048573}, Size{3, 2}, Size{1, 1}}) {
+    auto step = intaglio::image::detail::ScaleStep::at(0, pair.width, pair.height);
+    int wrong = 0;
+    for (int offset = 0; offset < pair.height; ++offset, step.advance()) {
+      const int expected = oracle::scaled_source(offset, pair.width, pair.height);
+      wrong += static_cast<int>(step.index() != expected || expected < 0 || expected >= pair.width);
+    }
+    EXPECT_EQ(wrong, 0) << pair.width << " to " << pair.height;
+  }
+}
+
+TEST(ScaleStep, EveryPairOfSmallLengthsBegunAnywhereEqualsThePredicate) {
+  int wrong = 0;
+  for (int from = 1; from <= 40; ++from)
+    for (int to = 1; to <= 40; ++to)
+      for (int first = 0; first < to; ++first) {
+        auto step = intaglio::image::detail::ScaleStep::at(first, from, to);
+        for (int offset = first; offset < to; ++offset, step.advance())
+          wrong += static_cast<int>(step.index() != oracle::scaled_source(offset, from, to));
+      }
+  EXPECT_EQ(wrong, 0);
+}
+
+TEST(ScaleVisible, APictureOfTheDomainsSizeShowsItsVisiblePartOnly) {
+  oracle::Random random(53);
+  Packed from = tests::packed_rows<Indexed8>(5, 3);
+  from.randomize(random);
+  const auto source = tests::surface_over<Indexed8>(from, 5, 3);
+  for (const Rect& destination :
+       {Rect{-limit, -limit, 2 * limit, 2 * limit}, Rect{-limit, -limit, limit + 9, limit + 4},
+        Rect{width - 1, height - 1, 2 * limit, 2 * limit}, Rect{-limit, 0, limit + 1, 1}}) {
+    Packed to = tests::packed_rows<Indexed8>(width, height);
+    Packed expected = to;
+    expect_scaled(expected, from, {0, 0, 5, 3}, destination, {0, 0, width, height},
+                  [](unsigned index) { return std::optional<unsigned>(index); });
+    ASSERT_TRUE(blit_scaled(tests::surface_over<Indexed8>(to, width, height), destination, source).ok());
+    EXPECT_EQ(to.bytes(), expected.bytes()) << text(destination);
+  }
+}
+
+TEST(ScaleArguments, BadOnesAreNamedAndNothingIsDrawn) {
+  constexpr int int_min = std::numeric_limits<int>::min();
+  constexpr int int_max = std::numeric_limits<int>::max();
+  oracle::Random random(54);
+  Packed to = tests::packed_rows<Indexed2>(width, height);
+  Packed from = tests::packed_rows<Indexed2>(width, height);
+  to.randomize(random);
+  from.randomize(random);
+  const Packed before = to;
+  const auto target = tests::surface_over<Indexed2>(to, width, height);
+  const auto source = tests::surface_over<Indexed2>(from, width, height);
+
+  for (const Point corner : {Point{limit + 1, 0}, Point{0, -limit - 1}, Point{int_min, int_max}})
+    EXPECT_EQ(blit_scaled(target, {corner.x, corner.y, 9, 9}, source),
+              (Status{Error::out_of_domain, Argument::position}));
+  for (const Size size : {Size{2 * limit + 1, 1}, Size{1, int_max}, Size{int_min, 1}})
+    EXPECT_EQ(blit_scaled(target, {0, 0, size.width, size.height}, source),
+              (Status{Error::out_of_domain, Argument::size}));
+  EXPECT_EQ(blit_scaled(target, {0, 0, 9, 9}, source, Everything{}, {0, 0, int_max, 1}),
+            (Status{Error::out_of_domain, Argument::rectangle}));
+  EXPECT_EQ(blit_scaled(target, {0, 0, 9, 9}, source, ColourKey{4}),
+            (Status{Error::out_of_range, Argument::colour, 3}));
+  const std::array<std::uint8_t, 3> table{};
+  EXPECT_EQ(blit_scaled(target, {0, 0, 9, 9}, source, Remap{table}),
+            (Status{Error::too_small, Argument::table, 4}));
+  for (const Rect& none : {Rect{0, 0, 0, 9}, Rect{0, 0, 9, -1}, Rect{width, 0, 9, 9}, Rect{0, -9, 9, 9}})
+    EXPECT_TRUE(blit_scaled(target, none, source).ok());
+  EXPECT_TRUE(blit_scaled(target, {0, 0, 9, 9}, Picture<Indexed2>{}).ok());
+  EXPECT_TRUE(blit_scaled(Surface<Indexed2>{}, {0, 0, 9, 9}, source).ok());
+  EXPECT_EQ(to.bytes(), before.bytes());
+}
+
+TEST(ScaleOverlap, SourceAndVisibleTargetMustNotMeetInMemory) {
+  oracle::Random random(55);
+  Packed memory = tests::packed_rows<Indexed8>(width, height);
+  memory.randomize(random);
+  const Packed before = memory;
+  const auto frame = tests::surface_over<Indexed8>(memory, width, height);
+  const Status refused{Error::mismatched, Argument::source};
+  EXPECT_EQ(blit_scaled(frame, {0, 0, 2 * width, 2 * height}, frame), refused);
+  EXPECT_EQ(blit_scaled(frame, {width - 1, 0, 4, 1}, frame.sub({0, 0, width, 1})), refused);
+  const auto packed = Picture<Indexed4>::over(memory.bytes(), {4, 4});
+  ASSERT_TRUE(packed.ok());
+  EXPECT_EQ(blit_scaled(frame, {0, 0, 8, 8}, packed.value()), refused);
+  EXPECT_EQ(memory.bytes(), before.bytes());
+  // Rows below the source's are free, and a clip may keep the drawing to them.
+  EXPECT_TRUE(blit_scaled(frame, {0, 3, width, 5}, frame.sub({0, 0, width, 3})).ok());
+  EXPECT_TRUE(
+      blit_scaled(frame, {0, 0, width, height}, frame.sub({0, 0, width, 3}), Everything{}, {0, 3, 99, 99})
+          .ok());
+}
+
+}  // namespace

@@ -5,6 +5,7 @@
 #include <intaglio/image/surface.hpp>
 #include <intaglio/raster/arc.hpp>
 #include <intaglio/raster/circle.hpp>
+#include <intaglio/raster/coverage.hpp>
 #include <intaglio/raster/dash.hpp>
 #include <intaglio/raster/disc.hpp>
 #include <intaglio/raster/ellipse.hpp>
@@ -30,6 +31,18 @@ using intaglio::Argument;
 using intaglio::Error;
 using intaglio::Result;
 using intaglio::Status;
+
+/// Draws levels of coverage as indices, by the way of another sink.
+template <image::PixelFormat F, class Sink>
+struct Levels {
+  const Sink& sink;
+  const image::Surface<F>& surface;
+
+  [[nodiscard]] const linear::Rect& clip() const { return sink.clip(); }
+  void span(int y, int x_begin, int x_end, int coverage) const {
+    sink.over(typename Sink::Counted(surface, static_cast<unsigned>(coverage))).span(y, x_begin, x_end);
+  }
+};
 
 template <image::PixelFormat F, class Sink>
 struct Drawer {
@@ -75,6 +88,12 @@ struct Drawer {
   Status operator()(const Polygon& p) const {
     std::vector<raster::PolygonEdge> workspace(p.vertices.size());
     return raster::fill_polygon(sink, p.rule, p.vertices, p.contour_lengths, workspace);
+  }
+  Status operator()(const Coverage& c) const {
+    if (F::bits != 8) return {Error::unsupported, Argument::colour};
+    const auto& [rule, vertices, lengths] = c.polygon;
+    std::vector<raster::CoverageCell> workspace(static_cast<std::size_t>(surface.size().width));
+    return raster::fill_coverage(Levels<F, Sink>{sink, surface}, rule, vertices, lengths, workspace);
   }
   Status operator()(const FloodFill& f) const {
     // All of the region has the seed's index, so exclusive-or gives it one other.

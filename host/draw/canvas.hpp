@@ -85,6 +85,9 @@ struct Polygon {
   std::vector<linear::SubPoint> vertices;
   std::vector<int> contour_lengths;
 };
+struct Coverage {
+  Polygon polygon;  ///< Needs 8 bits a pixel: the levels are the indices.
+};
 struct FloodFill {
   linear::Point seed;
   intaglio::raster::Connectivity connectivity{};
@@ -95,7 +98,7 @@ struct Text {
   std::string utf8;
 };
 using Primitive = std::variant<Pixel, Line, Dashes, ThickLine, Rectangle, Circle, DiametricCircle, Ellipse,
-                               Ring, Arc, RoundRectangle, Triangle, Polygon, FloodFill, Text>;
+                               Ring, Arc, RoundRectangle, Triangle, Polygon, Coverage, FloodFill, Text>;
 
 /// How primitives are drawn.
 struct Pen {

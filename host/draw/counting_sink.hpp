@@ -34,9 +34,13 @@ class Touches {
 template <class Sink>
 class CountingSink {
  public:
+  using Counted = Sink;
+
   CountingSink(Sink sink, Touches touches) : sink_(std::move(sink)), touches_(touches) {}
 
   [[nodiscard]] const linear::Rect& clip() const { return sink_.clip(); }
+  /// The same counts for another sink.
+  [[nodiscard]] CountingSink over(Sink sink) const { return {std::move(sink), touches_}; }
 
   void span(int y, int x_begin, int x_end) const {
     for (int x = x_begin; x < x_end; ++x) touches_.add(x, y);

@@ -236,6 +236,20 @@ class Interpreter {
     if (rule != "evenodd" && rule != "nonzero")
       throw Failure(fmt::format("the rule must be evenodd or nonzero, not '{}'", rule));
     polygon.rule = rule == "evenodd" ? FillRule::even_odd : FillRule::non_zero;
+    contours(in, polygon);
+    pending_ = std::move(polygon);
+  }
+
+  void coverage(Arguments& in) {
+    if (canvas_->max_index() != 255) throw Failure("the surface must have 8 bits a pixel");
+    Polygon polygon;
+    polygon.rule = FillRule::even_odd;
+    contours(in, polygon);
+    pending_ = Coverage{std::move(polygon)};
+  }
+
+  /// All that is left of the line: vertices, and / between contours.
+  static void contours(Arguments& in, Polygon& polygon) {
     std::size_t contour_begin = 0;
     const auto end_contour = [&] {
       const std::size_t length = polygon.vertices.size() - contour_begin;
@@ -252,7 +266,6 @@ class Interpreter {
       }
     }
     end_contour();
-    pending_ = std::move(polygon);
   }
 
   void flood(Arguments& in) {
@@ -311,7 +324,7 @@ class Interpreter {
   [[nodiscard]] int last_index() const { return static_cast<int>(canvas_->max_index()); }
 
   using Method = void (Interpreter::*)(Arguments&);
-  static constexpr std::array<std::pair<std::string_view, Method>, 28> commands{{
+  static constexpr std::array<std::pair<std::string_view, Method>, 29> commands{{
       {"surface", &Interpreter::surface},
       {"palette", &Interpreter::palette},
       {"color", &Interpreter::colour},
@@ -338,6 +351,7 @@ class Interpreter {
       {"fillroundrect", &Interpreter::fillroundrect},
       {"triangle", &Interpreter::triangle},
       {"polygon", &Interpreter::polygon},
+      {"coverage", &Interpreter::coverage},
       {"flood", &Interpreter::flood},
       {"text", &Interpreter::text},
   }};
@@ -374,11 +388,13 @@ std::string_view language_help() {
   triangle X Y X Y X Y       filled
   polygon evenodd|nonzero X Y X Y X Y ... [/ X Y ...]
                              filled; / begins another contour (a hole, an island)
+  coverage X Y X Y X Y ... [/ X Y ...]
+                             even-odd; index = how much of the pixel is covered, 0..255; needs 8 bits a pixel
   flood 4|8 X Y              the pixels around X Y of its index, joined by 4 or 8 neighbours inside the clip
   font NAME                  fixed_6x13 (the default), fixed_5x8, sans_11, digits_16, digits_28, digits_48
   text X Y "UTF-8"           top left of the text; escapes \" \\ and \n (next line)
 The surface is black (index 0) at first. Coordinates are whole pixels up to 2^20 either way, and may lie outside
-the surface. Those of line, thickline, triangle and polygon may be decimal; they are rounded to the nearest
+the surface. Those of line, thickline, triangle, polygon and coverage may be decimal; they are rounded to the nearest
 1/256, halves away from zero. An error says `line N: ...`, nothing is written then, and the exit code is 1.)";
 }
 

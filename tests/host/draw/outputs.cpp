@@ -116,6 +116,7 @@ TEST_F(DrawTool, HelpNamesEveryCommand) {
                            "fillroundrect",
                            "triangle ",
                            "polygon evenodd|nonzero",
+                           "coverage ",
                            "text ",
                            "--png",
                            "--pgm",

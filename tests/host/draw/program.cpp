@@ -4,6 +4,7 @@
 #include <host/draw/program.hpp>
 #include <host/failure.hpp>
 #include <tests/oracle/circle.hpp>
+#include <tests/oracle/coverage.hpp>
 #include <tests/oracle/flood.hpp>
 #include <tests/oracle/line.hpp>
 #include <tests/oracle/oval.hpp>
@@ -165,6 +166,23 @@ TEST(Draw, PolygonByBothRulesAndWithContours) {
                                {{2560, 2560}, {2560, 7680}, {7808, 5120}}};
   expect_pixels("polygon evenodd 0 0 50 0 50 40 0 40 / 10 10 10 30 30.5 20",
                 [&](int x, int y) { return oracle::in_polygon(holed, true, x, y); });
+}
+
+TEST(Draw, CoverageWritesTheAreaAsIndex) {
+  const std::string commands = "clip 2 2 40 30\ncoverage 1.5 1.25 40 5 20.75 38 / 12 8 24 20.5 25 9\n";
+  const oracle::Contours contours{{{384, 320}, {10240, 1280}, {5312, 9728}},
+                                  {{3072, 2048}, {6144, 5248}, {6400, 2304}}};
+  const auto canvas = draw_program("surface 50 40 8\n" + commands);
+  for (std::size_t i = 0; const std::uint8_t index : canvas->indices()) {
+    const int x = static_cast<int>(i) % width;
+    const int y = static_cast<int>(i) / width;
+    const bool visible = x >= 2 && x < 42 && y >= 2 && y < 32;
+    const mpq_class exact = visible ? mpq_class(255 * oracle::coverage(contours, true, x, y)) : mpq_class(0);
+    EXPECT_LE(abs(exact - index), mpq_class(1, 2) + mpq_class(6, 1 << 15)) << x << "," << y;
+    EXPECT_EQ(canvas->touched()[i++], index == 0 ? 0 : 1) << x << "," << y;
+  }
+  const auto twice = draw_program("surface 50 40 8\nmode xor\n" + commands + commands);
+  EXPECT_EQ(twice->indices(), std::vector<std::uint8_t>(std::size_t{width} * height));
 }
 
 TEST(Draw, FloodFillsTheRegionOfTheSeedsIndexInsideTheClip) {
@@ -336,6 +354,9 @@ TEST(DrawErrors, SayTheLineTheCommandAndWhatIsWrong) {
       {"S\npolygon evenodd 0 0 1 0 1 1 /", "line 2: polygon: a contour needs 3 vertices, this has 0"},
       {"S\npolygon evenodd 0 0 1 0 1 1 2", "line 2: polygon: y is missing"},
       {"S\npolygon evenodd 0 0 1 0 1 -1048577", "line 2: polygon: vertices out of domain"},
+      {"S\ncoverage 0 0 1 0 1 1", "line 2: coverage: the surface must have 8 bits a pixel"},
+      {"surface 9 9 8\ncoverage 0 0 1 0", "line 2: coverage: a contour needs 3 vertices, this has 2"},
+      {"surface 9 9 8\ncoverage 0 0 1 0 1 -1048577", "line 2: coverage: vertices out of domain"},
       {"S\nfont comic",
        "line 2: font: no font 'comic'; there are fixed_5x8 fixed_6x13 sans_11 digits_16 digits_28 digits_48"},
       {"S\ntext 1 1 hello", "line 2: text: the text must stand in quotes, not 'hello'"},

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+//
+// How much of a pixel's square a polygon covers, as an exact rational: the contours are cut to the square
+// side by side (Sutherland-Hodgman) and the signed areas of what is left added up. For a polygon that doesn't
+// cross itself that is its area in the pixel, but for the sign.
+#pragma once
+
+#include <intaglio/linear/point.hpp>
+#include <tests/oracle/polygon.hpp>
+
+#include <cstddef>
+#include <gmpxx.h>
+#include <utility>
+#include <vector>
+
+namespace oracle {
+
+/// Cuts a contour to the places where side * (coordinate - at) >= 0; coordinates as (x, y).
+inline std::vector<std::pair<mpq_class, mpq_class>> cut(
+    const std::vector<std::pair<mpq_class, mpq_class>>& contour, bool along_x, int at, int side) {
+  std::vector<std::pair<mpq_class, mpq_class>> out;
+  const auto distance = [&](const auto& p) {
+    return mpq_class(((along_x ? p.first : p.second) - at) * side);
+  };
+  for (std::size_t i = 0; i < contour.size(); ++i) {
+    const auto& a = contour[i];
+    const auto& b = contour[(i + 1) % contour.size()];
+    const mpq_class from = distance(a);
+    const mpq_class to = distance(b);
+    if (from >= 0) out.push_back(a);
+    if ((from > 0 && to < 0) || (from < 0 && to > 0)) {
+      const mpq_class part = from / (from - to);
+      out.emplace_back(a.first + part * (b.first - a.first), a.second + part * (b.second - a.second));
+    }
+  }
+  return out;
+}
+
+/// The integral of the winding number over the square of pixel (x, y), in pixels.
+inline mpq_class winding_area(const Contours& contours, int x, int y) {
+  mpq_class twice = 0;
+  for (const Contour& contour : contours) {
+    std::vector<std::pair<mpq_class, mpq_class>> part;
+    for (const auto p : contour) part.emplace_back(p.x, p.y);
+    part = cut(part, true, 256 * x - 128, 1);
+    part = cut(part, true, 256 * x + 128, -1);
+    part = cut(part, false, 256 * y - 128, 1);
+    part = cut(part, false, 256 * y + 128, -1);
+    for (std::size_t i = 0; i < part.size(); ++i) {
+      const auto& a = part[i];
+      const auto& b = part[(i + 1) % part.size()];
+      twice += a.first * b.second - b.first * a.second;
+    }
+  }
+  return twice / (2 * 256 * 256);
+}
+
+/// The same folded by the rule: min(|w|, 1), or the distance from the nearest even number.
+inline mpq_class coverage(const Contours& contours, bool even_odd, int x, int y) {
+  mpq_class area = abs(winding_area(contours, x, y));
+  if (!even_odd) return area > 1 ? mpq_class(1) : area;
+  while (area > 2) area -= 2;
+  return area > 1 ? mpq_class(2 - area) : area;
+}
+
+}  // namespace oracle

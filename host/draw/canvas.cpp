@@ -4,6 +4,7 @@
 #include <intaglio/image/digest.hpp>
 #include <intaglio/image/surface.hpp>
 #include <intaglio/raster/arc.hpp>
+#include <intaglio/raster/chord.hpp>
 #include <intaglio/raster/circle.hpp>
 #include <intaglio/raster/coverage.hpp>
 #include <intaglio/raster/dash.hpp>
@@ -77,8 +78,9 @@ struct Drawer {
     return raster::fill_ring(sink, r.centre, r.inner_radius, r.outer_radius);
   }
   Status operator()(const Arc& a) const {
-    return a.filled ? raster::fill_pie(sink, a.centre, a.radius, a.start, a.sweep)
-                    : raster::draw_arc(sink, a.centre, a.radius, a.start, a.sweep);
+    if (a.shape == Arc::Shape::pie) return raster::fill_pie(sink, a.centre, a.radius, a.start, a.sweep);
+    if (a.shape == Arc::Shape::chord) return raster::fill_chord(sink, a.centre, a.radius, a.start, a.sweep);
+    return raster::draw_arc(sink, a.centre, a.radius, a.start, a.sweep);
   }
   Status operator()(const RoundRectangle& r) const {
     return r.filled ? raster::fill_round_rect(sink, r.area, r.radii)

@@ -70,7 +70,7 @@ struct Arc {
   int radius = 0;
   intaglio::number::Angle start;
   int sweep = 0;
-  bool filled = false;  ///< To the centre.
+  enum class Shape { arc, pie, chord } shape{};
 };
 struct RoundRectangle {
   linear::Rect area;

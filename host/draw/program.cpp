@@ -220,8 +220,9 @@ class Interpreter {
     const int inner_radius = in.whole("inner radius");
     pending_ = Ring{centre, inner_radius, in.whole("outer radius")};
   }
-  void arc(Arguments& in) { pending_ = swept(in, false); }
-  void pie(Arguments& in) { pending_ = swept(in, true); }
+  void arc(Arguments& in) { pending_ = swept(in, Arc::Shape::arc); }
+  void pie(Arguments& in) { pending_ = swept(in, Arc::Shape::pie); }
+  void chord(Arguments& in) { pending_ = swept(in, Arc::Shape::chord); }
   void roundrect(Arguments& in) { pending_ = rounded(in, false); }
   void fillroundrect(Arguments& in) { pending_ = rounded(in, true); }
   void triangle(Arguments& in) {
@@ -298,11 +299,11 @@ class Interpreter {
     const int x_radius = in.whole("x radius");
     return {centre, x_radius, in.whole("y radius"), filled};
   }
-  static Arc swept(Arguments& in, bool filled) {
+  static Arc swept(Arguments& in, Arc::Shape shape) {
     const Point centre = in.point("x", "y");
     const int radius = in.whole("radius");
     const auto start = intaglio::number::Angle::from_steps(in.whole("start"));
-    return {centre, radius, start, in.whole("sweep"), filled};
+    return {centre, radius, start, in.whole("sweep"), shape};
   }
   static RoundRectangle rounded(Arguments& in, bool filled) {
     const linear::Rect area = in.rectangle();
@@ -347,6 +348,7 @@ class Interpreter {
       {"ring", &Interpreter::ring},
       {"arc", &Interpreter::arc},
       {"pie", &Interpreter::pie},
+      {"chord", &Interpreter::chord},
       {"roundrect", &Interpreter::roundrect},
       {"fillroundrect", &Interpreter::fillroundrect},
       {"triangle", &Interpreter::triangle},
@@ -382,8 +384,9 @@ std::string_view language_help() {
   evencircle X Y D           circle with the diameter D, even or odd, and its top left at X Y; evendisc: filled
   ellipse X Y RX RY          outline; fillellipse: filled, outline included
   ring X Y R_IN R_OUT        the disc of radius R_OUT without that of radius R_IN
-  arc X Y R START SWEEP      part of a circle; pie: of a disc. In 1/65536 turn, clockwise from three o'clock; the
-                             larger angle is left out, negative sweeps go the other way, a turn or more is all
+  arc X Y R START SWEEP      part of a circle, in 1/65536 turn, clockwise from three o'clock, the larger angle left
+                             out; negative sweeps go the other way, a turn or more is all. pie: filled to the
+                             centre; chord: filled to the line between the ends
   roundrect X Y W H R        outline; fillroundrect: filled. Four radii instead of R go clockwise from top left
   triangle X Y X Y X Y       filled
   polygon evenodd|nonzero X Y X Y X Y ... [/ X Y ...]

@@ -19,8 +19,6 @@
 #include <intaglio/raster/sink.hpp>
 #include <intaglio/status.hpp>
 
-#include <type_traits>
-
 namespace intaglio::raster {
 
 /// Draws the arc of the circle around the pixel `centre` (|c| <= 2^20) with radius 0..2^20 from `start`
@@ -32,8 +30,7 @@ Status draw_arc(S&& sink, linear::Point centre, int radius, number::Angle start,
   const Status status = detail::check_circle(centre, radius);
   if (!status.ok() || sweep == 0) return status;
   if (sweep >= number::Angle::turn || sweep <= -number::Angle::turn) return draw_circle(sink, centre, radius);
-  return draw_circle(detail::SectorSink<std::remove_reference_t<S>>(sink, centre, {start, sweep}), centre,
-                     radius);
+  return draw_circle(detail::PartSink(sink, centre, detail::Sector(start, sweep)), centre, radius);
 }
 
 /// Fills the pie (sector) between the centre and the arc that `draw_arc` draws. Errors as there.
@@ -43,8 +40,7 @@ Status fill_pie(S&& sink, linear::Point centre, int radius, number::Angle start,
   const Status status = detail::check_circle(centre, radius);
   if (!status.ok() || sweep == 0) return status;
   if (sweep >= number::Angle::turn || sweep <= -number::Angle::turn) return fill_disc(sink, centre, radius);
-  return fill_disc(detail::SectorSink<std::remove_reference_t<S>>(sink, centre, {start, sweep}), centre,
-                   radius);
+  return fill_disc(detail::PartSink(sink, centre, detail::Sector(start, sweep)), centre, radius);
 }
 
 }  // namespace intaglio::raster

@@ -65,14 +65,22 @@ bool Ray::comes_after(int dx, int dy) const noexcept {
 }
 
 int Ray::same_until(int begin, int end, int dy) const noexcept {
-  const bool value = comes_after(begin, dy);
-  if (comes_after(end - 1, dy) == value) return end;
-  // It is the same at `begin` and different at end - 1.
-  for (--end; end - begin > 1;) {
-    const int middle = begin + (end - begin) / 2;
-    (comes_after(middle, dy) == value ? begin : end) = middle;
+  return detail::same_until(begin, end, [&](int dx) { return comes_after(dx, dy); });
+}
+
+linear::Point Ray::at(int distance) const noexcept {
+  const auto along = static_cast<int>(multiply(static_cast<std::uint64_t>(distance), cosine_));
+  const auto across = static_cast<int>(multiply(static_cast<std::uint64_t>(distance), sine_));
+  switch (quadrant_) {
+    case 0:
+      return {along, across};
+    case 1:
+      return {-across, along};
+    case 2:
+      return {-along, -across};
+    default:
+      return {across, -along};
   }
-  return end;
 }
 
 Sector::Sector(number::Angle start, int sweep) noexcept

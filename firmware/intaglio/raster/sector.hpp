@@ -29,6 +29,20 @@
 
 namespace intaglio::raster::detail {
 
+/// The end of the columns from `begin` on (up to `end`) for which `holds(column)` is the same, if it changes
+/// at most once.
+template <class Holds>
+[[nodiscard]] int same_until(int begin, int end, Holds holds) noexcept {
+  const bool value = holds(begin);
+  if (holds(end - 1) == value) return end;
+  // It is the same at `begin` and different at `end`.
+  for (--end; end - begin > 1;) {
+    const int middle = begin + (end - begin) / 2;
+    (holds(middle) == value ? begin : end) = middle;
+  }
+  return end;
+}
+
 /// The half line from the centre at an angle.
 class Ray {
  public:
@@ -38,6 +52,8 @@ class Ray {
   /// The end of the columns from `begin` on (up to `end`) for which `comes_after` is the same. On a row it
   /// changes at most once.
   [[nodiscard]] int same_until(int begin, int end, int dy) const noexcept;
+  /// The pixel nearest to the ray's point at this distance (0..2^20) from the centre, counted from there.
+  [[nodiscard]] linear::Point at(int distance) const noexcept;
 
  private:
   int quadrant_;
@@ -60,18 +76,18 @@ class Sector {
   bool across_zero_;
 };
 
-/// Hands on what lies in a sector.
-template <SpanSink S>
-class SectorSink {
+/// Hands on what lies in a part of the plane around a centre: a sector, say.
+template <SpanSink S, class Part>
+class PartSink {
  public:
-  SectorSink(S& sink, linear::Point centre, const Sector& sector) noexcept
-      : sink_(&sink), centre_(centre), sector_(sector) {}
+  PartSink(S& sink, linear::Point centre, const Part& part) noexcept
+      : sink_(&sink), centre_(centre), part_(part) {}
 
   [[nodiscard]] linear::Rect clip() const { return sink_->clip(); }
   void span(int y, int begin, int end) {
     while (begin < end) {
-      const int stop = centre_.x + sector_.same_until(begin - centre_.x, end - centre_.x, y - centre_.y);
-      if (sector_.holds(begin - centre_.x, y - centre_.y)) sink_->span(y, begin, stop);
+      const int stop = centre_.x + part_.same_until(begin - centre_.x, end - centre_.x, y - centre_.y);
+      if (part_.holds(begin - centre_.x, y - centre_.y)) sink_->span(y, begin, stop);
       begin = stop;
     }
   }
@@ -79,7 +95,7 @@ class SectorSink {
  private:
   S* sink_;
   linear::Point centre_;
-  Sector sector_;
+  Part part_;
 };
 
 }  // namespace intaglio::raster::detail

@@ -112,6 +112,7 @@ TEST_F(DrawTool, HelpNamesEveryCommand) {
                            "thickline ",
                            "arc ",
                            "pie",
+                           "chord",
                            "roundrect ",
                            "fillroundrect",
                            "triangle ",

@@ -135,6 +135,12 @@ TEST(Draw, ArcAndPie) {
       [](int x, int y) { return oracle::on_circle(13, x - 20, y - 18); });
 }
 
+TEST(Draw, Chord) {
+  expect_pixels("chord 20 18 13 0 16384", [](int x, int y) {
+    return std::abs(x - 20) <= oracle::outline_reach(13, y - 18) && x - 20 + y - 18 >= 13;
+  });
+}
+
 TEST(Draw, RoundRectangles) {
   // A side of 13 leaves room for a radius of 6: two half discs with a rectangle between them.
   const auto in = [](int x, int y) {

@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: MIT
+//
+// Three ways to fill a polygon give the same pixels, and for convex ones a fourth. The first is compared with
+// the oracle in polygon.cpp.
+#include <intaglio/raster/convex.hpp>
+#include <intaglio/raster/polygon.hpp>
+#include <intaglio/raster/polygon_basic.hpp>
+#include <intaglio/raster/polygon_critical.hpp>
+#include <tests/oracle/polygon.hpp>
+#include <tests/oracle/random.hpp>
+#include <tests/oracle/recording_sink.hpp>
+
+#include <climits>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace intaglio;
+using linear::Rect;
+using linear::SubPoint;
+using oracle::RecordingSink;
+using raster::fill_convex;
+using raster::fill_polygon;
+using raster::fill_polygon_basic;
+using raster::fill_polygon_critical;
+using raster::FillRule;
+using raster::PolygonChain;
+using raster::PolygonCrossing;
+using raster::PolygonEdge;
+
+constexpr int limit = 1 << 28;
+
+std::string text(const std::vector<SubPoint>& vertices, const std::vector<int>& lengths) {
+  std::string out;
+  for (const SubPoint p : vertices) out += "(" + std::to_string(p.x) + "," + std::to_string(p.y) + ")";
+  for (const int length : lengths) out += " " + std::to_string(length);
+  return out + " /256";
+}
+
+// Draws by one of the other ways with exactly the workspace that it says it needs.
+template <class Entry, class Fill>
+std::string difference(const RecordingSink& expected, std::size_t vertices, Fill fill) {
+  RecordingSink sink(expected.clip());
+  std::vector<Entry> workspace;
+  Status status = fill(sink, workspace);
+  if (!status.ok()) {
+    if (status.error() != Error::too_small || status.argument() != Argument::workspace || sink.spans() != 0)
+      return "refused";
+    if (status.needed() > vertices) return "needs more than there are vertices";
+    workspace.resize(status.needed() - 1);
+    if (fill(sink, workspace) != status || sink.spans() != 0) return "one entry less did";
+    workspace.resize(status.needed());
+    status = fill(sink, workspace);
+    if (!status.ok()) return "refused what it asked for";
+  }
+  if (!sink.violation().empty()) return sink.violation();
+  if (sink.all_writes() != expected.all_writes())
+    return "\n" + sink.ascii() + "expected\n" + expected.ascii();
+  return "";
+}
+
+// What differs; empty if nothing does.
+std::string difference(const std::vector<SubPoint>& vertices, const std::vector<int>& lengths,
+                       const Rect& clip) {
+  for (const FillRule rule : {FillRule::even_odd, FillRule::non_zero}) {
+    RecordingSink active(clip);
+    std::vector<PolygonEdge> edges(vertices.size());
+    if (!fill_polygon(active, rule, vertices, lengths, edges).ok())
+      return text(vertices, lengths) + " refused";
+    const std::string basic =
+        difference<PolygonCrossing>(active, vertices.size(), [&](auto& sink, auto& workspace) {
+          return fill_polygon_basic(sink, rule, vertices, lengths, workspace);
+        });
+    if (!basic.empty()) return text(vertices, lengths) + " basic: " + basic;
+    const std::string critical =
+        difference<PolygonChain>(active, vertices.size(), [&](auto& sink, auto& workspace) {
+          return fill_polygon_critical(sink, rule, vertices, lengths, workspace);
+        });
+    if (!critical.empty()) return text(vertices, lengths) + " critical: " + critical;
+  }
+  return "";
+}
+
+TEST(PolygonRungs, RandomSelfIntersectingContoursAreEqualInAnyWindow) {
+  oracle::Random random(2151);
+  std::string first;
+  for (int i = 0; i < 6000 && first.empty(); ++i) {
+    const int step = i % 3 == 0 ? 256 : i % 3 == 1 ? 128 : 1;
+    const int bound = 256 << i % 6;
+    std::vector<SubPoint> vertices;
+    std::vector<int> lengths;
+    for (int n = 0; n <= i % 4; ++n) {
+      lengths.push_back(random.between(0, 12));
+      for (int k = 0; k < lengths.back(); ++k)
+        vertices.push_back(
+            {random.between(-bound, bound) / step * step, random.between(-bound, bound) / step * step});
+    }
+    const Rect clip = i % 2 == 0 ? Rect{-17, -17, 35, 35}
+                                 : Rect{random.between(-16, 10), random.between(-16, 10),
+                                        random.between(0, 12), random.between(0, 12)};
+    first = difference(vertices, lengths, clip);
+  }
+  EXPECT_EQ(first, "") << random.seed_text();
+}
+
+// Steps along an axis or a diagonal of a coarse grid: plateaus, several minima on one row, collinear runs,
+// repeated vertices and edges.
+TEST(PolygonRungs, PlateausCollinearRunsAndMinimaOnOneRowAreEqual) {
+  oracle::Random random(2152);
+  std::string first;
+  for (int i = 0; i < 6000 && first.empty(); ++i) {
+    std::vector<SubPoint> vertices;
+    std::vector<int> lengths;
+    for (int n = 0; n <= i % 3; ++n) {
+      lengths.push_back(random.between(0, 24));
+      SubPoint p{random.between(0, 8) * 256, random.between(0, 8) * 256};
+      const int half = i % 2 == 0 ? 0 : 128;
+      for (int k = 0; k < lengths.back(); ++k) {
+        vertices.push_back({p.x + half, p.y + half});
+        p = {std::clamp(p.x + random.between(-1, 1) * 512, 0, 2048),
+             std::clamp(p.y + random.between(-1, 1) * (i % 4 < 2 ? 512 : 256), 0, 2048)};
+      }
+    }
+    first = difference(vertices, lengths, {-1, -1, 11, 11});
+  }
+  EXPECT_EQ(first, "") << random.seed_text();
+}
+
+TEST(PolygonRungs, AreEqualToTheDomainsEdge) {
+  oracle::Random random(2153);
+  std::string first;
+  for (int i = 0; i < 6000 && first.empty(); ++i) {
+    const int bound = limit >> i % 19;
+    std::vector<SubPoint> vertices;
+    for (int k = random.between(3, 12); k > 0; --k)
+      vertices.push_back({random.between(-bound, bound), random.between(-bound, bound)});
+    const SubPoint a = vertices[0];
+    const SubPoint b = vertices[1];
+    const int along = random.between(0, 1024);
+    const int x = static_cast<int>((a.x + (std::int64_t{b.x} - a.x) * along / 1024) / 256);
+    const int y = static_cast<int>((a.y + (std::int64_t{b.y} - a.y) * along / 1024) / 256);
+    constexpr int pixels = 1 << 20;
+    first = difference(vertices, {static_cast<int>(vertices.size())},
+                       {std::clamp(x - 7, -pixels, pixels), std::clamp(y - 5, -pixels, pixels), 14, 11});
+  }
+  EXPECT_EQ(first, "") << random.seed_text();
+}
+
+TEST(PolygonRungs, CriticalPointsNeedTwoEntriesForEachMinimum) {
+  // A saw of 50 teeth and a long way back; a ring of 1000 vertices with one minimum.
+  std::vector<SubPoint> saw;
+  for (int i = 0; i < 50; ++i) {
+    saw.push_back({i * 512, 0});
+    saw.push_back({i * 512 + 256, 2560});
+  }
+  saw.push_back({50 * 512, 5000});
+  saw.push_back({0, 5000});
+  std::vector<SubPoint> ring;
+  for (int i = 0; i < 500; ++i) ring.push_back({-i * i / 99, i * 20});
+  for (int i = 500; i > 0; --i) ring.push_back({i * i / 99, i * 20});
+  const auto needed = [](const std::vector<SubPoint>& vertices) {
+    RecordingSink sink({-10, -10, 120, 60});
+    const std::vector<int> lengths{static_cast<int>(vertices.size())};
+    return fill_polygon_critical(sink, FillRule::even_odd, vertices, lengths, {}).needed();
+  };
+  EXPECT_EQ(needed(saw), 100U);
+  EXPECT_EQ(needed(ring), 2U);
+  EXPECT_EQ(difference(saw, {102}, {-10, -10, 120, 60}), "");
+  EXPECT_EQ(difference(ring, {1000}, {-10, -10, 60, 60}), "");
+}
+
+TEST(PolygonRungs, BadArgumentsAreNamedAndNothingIsDrawn) {
+  RecordingSink sink({0, 0, 20, 20});
+  std::vector<PolygonCrossing> crossings(8);
+  std::vector<PolygonChain> chains(8);
+  std::vector<SubPoint> square{{0, 0}, {2560, 0}, {2560, 2560}, {0, 2560}};
+  const auto expect = [&](const std::vector<int>& lengths, FillRule rule, Status status) {
+    EXPECT_EQ(fill_polygon_basic(sink, rule, square, lengths, crossings), status);
+    EXPECT_EQ(fill_polygon_critical(sink, rule, square, lengths, chains), status);
+  };
+  expect({5}, FillRule::even_odd, {Error::mismatched, Argument::contours});
+  expect({5, -1}, FillRule::even_odd, {Error::mismatched, Argument::contours});
+  expect({4}, static_cast<FillRule>(2), {Error::out_of_range, Argument::rule});
+  for (const int bad : {limit + 1, -limit - 1, INT_MAX, INT_MIN}) {
+    square[2].y = bad;
+    expect({4}, FillRule::non_zero, {Error::out_of_domain, Argument::vertices});
+    EXPECT_EQ(fill_convex(sink, square), (Status{Error::out_of_domain, Argument::vertices}));
+  }
+  EXPECT_EQ(sink.spans(), 0);
+}
+
+TEST(Convex, EqualsThePolygonFillInAnyWindowEitherWayAround) {
+  oracle::Random random(2211);
+  int drawn = 0;
+  for (int i = 0; i < 4000; ++i) {
+    // A convex ring: edges sorted by direction, which then close. Some are level, upright, repeated or empty.
+    const int scale = i % 2 == 0 ? 256 : 1 << i % 22;
+    const auto part = [&] { return random.between(0, 4) * (i % 3 == 0 ? scale : random.between(0, scale)); };
+    struct Step {
+      int x, y;
+    };
+    std::vector<Step> steps;
+    for (int n = random.between(1, 6); n > 0; --n) steps.push_back({part(), part()});
+    std::erase_if(steps, [](const Step& s) { return s.x == 0 && s.y == 0; });
+    std::sort(steps.begin(), steps.end(),
+              [](const Step& a, const Step& b) { return std::int64_t{a.y} * b.x < std::int64_t{b.y} * a.x; });
+    // Down to the right in steps that get steeper, and back the same way turned around: a convex lens.
+    SubPoint p{random.between(-9 * 256, 0), random.between(-9 * 256, 0)};
+    std::vector<SubPoint> ring;
+    for (const Step& s : steps) {
+      ring.push_back(p);
+      p = {p.x + s.x, p.y + s.y};
+    }
+    for (const Step& s : steps) {
+      ring.push_back(p);
+      p = {p.x - s.x, p.y - s.y};
+    }
+    if (i % 2 != 0)
+      for (SubPoint& q : ring) q.x = -q.x;
+    if (ring.empty()) continue;
+    if (i % 5 == 0) ring.insert(ring.begin() + 1, ring[0]);
+    std::rotate(ring.begin(), ring.begin() + random.between(0, static_cast<int>(ring.size()) - 1),
+                ring.end());
+    for (int way = 0; way < 2; ++way) {
+      ASSERT_TRUE(raster::is_convex(ring)) << text(ring, {}) << random.seed_text();
+      const Rect clip = i % 3 == 0 ? Rect{-3, -4, 9, 8} : Rect{-30, -30, 60, 60};
+      RecordingSink expected(clip);
+      std::vector<PolygonEdge> workspace(ring.size());
+      ASSERT_TRUE(fill_polygon(expected, FillRule::non_zero, ring, workspace).ok());
+      RecordingSink sink(clip);
+      ASSERT_TRUE(fill_convex(sink, ring).ok());
+      ASSERT_EQ(sink.violation(), "");
+      ASSERT_EQ(sink.all_writes(), expected.all_writes())
+          << random.seed_text() << ": " << text(ring, {}) << "\n"
+          << sink.ascii() << "expected\n"
+          << expected.ascii();
+      drawn += expected.touched() > 0 ? 1 : 0;
+      std::reverse(ring.begin(), ring.end());
+    }
+  }
+  EXPECT_GT(drawn, 2000);
+}
+
+TEST(Convex, TrianglesToTheDomainsEdgeAreEqual) {
+  oracle::Random random(2212);
+  for (int i = 0; i < 3000; ++i) {
+    const int bound = limit >> i % 20;
+    std::vector<SubPoint> triangle;
+    for (int k = 0; k < 3; ++k)
+      triangle.push_back(
+          {random.between(-1, 1) * (bound - random.between(0, 300)), random.between(-bound, bound)});
+    const int x = static_cast<int>((std::int64_t{triangle[0].x} + triangle[1].x) / 512);
+    const int y = static_cast<int>((std::int64_t{triangle[0].y} + triangle[1].y) / 512);
+    const Rect clip{x - 8, y - 7, 17, 15};
+    int wrong = 0;
+    RecordingSink sink(clip);
+    ASSERT_TRUE(fill_convex(sink, triangle).ok());
+    for (int py = clip.y; py < clip.bottom(); ++py)
+      for (int px = clip.x; px < clip.right(); ++px)
+        wrong += sink.writes(px, py) ==
+                         (oracle::in_triangle(triangle[0], triangle[1], triangle[2], px, py) ? 1 : 0)
+                     ? 0
+                     : 1;
+    ASSERT_EQ(wrong, 0) << random.seed_text() << ": " << text(triangle, {});
+  }
+}
+
+TEST(Convex, DentsStarsAndSecondRoundsAreRefused) {
+  RecordingSink sink({-20, -20, 60, 60});
+  const Status malformed{Error::malformed, Argument::vertices};
+  const std::vector<SubPoint> dent{{0, 0}, {2560, 0}, {1280, 1000}, {2560, 2560}, {0, 2560}};
+  const std::vector<SubPoint> star{{5120, 256}, {7936, 9216}, {512, 3584}, {9984, 3584}, {2304, 9216}};
+  const std::vector<SubPoint> twice{{0, 0}, {2560, 0}, {2560, 2560}, {0, 2560},
+                                    {0, 0}, {2560, 0}, {2560, 2560}, {0, 2560}};
+  const std::vector<SubPoint> spike{{0, 0}, {2560, 0}, {5120, 0}, {2560, 0}, {2560, 2560}};
+  const std::vector<SubPoint> bow{{0, 0}, {2560, 2560}, {2560, 0}, {0, 2560}};
+  for (const auto* contour : {&dent, &star, &twice, &spike, &bow}) {
+    EXPECT_EQ(fill_convex(sink, *contour), malformed);
+    EXPECT_EQ(fill_convex(sink, std::vector<SubPoint>(contour->rbegin(), contour->rend())), malformed);
+  }
+  // No area is convex and empty.
+  EXPECT_TRUE(fill_convex(sink, {}).ok());
+  EXPECT_TRUE(fill_convex(sink, std::vector<SubPoint>{{5, 5}}).ok());
+  EXPECT_TRUE(fill_convex(sink, std::vector<SubPoint>{{0, 0}, {2560, 2560}, {1280, 1280}}).ok());
+  EXPECT_EQ(sink.spans(), 0);
+}
+
+}  // namespace

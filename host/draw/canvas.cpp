@@ -13,11 +13,14 @@
 #include <intaglio/raster/flood.hpp>
 #include <intaglio/raster/line.hpp>
 #include <intaglio/raster/pixel.hpp>
+#include <intaglio/raster/polygon_basic.hpp>
+#include <intaglio/raster/polygon_critical.hpp>
 #include <intaglio/raster/rectangle.hpp>
 #include <intaglio/raster/ring.hpp>
 #include <intaglio/raster/round_rect.hpp>
 #include <intaglio/raster/solid.hpp>
 #include <intaglio/raster/triangle.hpp>
+#include <intaglio/raster/triangle_box.hpp>
 #include <intaglio/text/draw_text.hpp>
 
 #include <cstddef>
@@ -86,10 +89,31 @@ struct Drawer {
     return r.filled ? raster::fill_round_rect(sink, r.area, r.radii)
                     : raster::draw_round_rect(sink, r.area, r.radii);
   }
-  Status operator()(const Triangle& t) const { return raster::fill_triangle(sink, t.a, t.b, t.c); }
+  Status operator()(const Triangle& t) const {
+    switch (t.method) {
+      case TriangleMethod::box:
+        return raster::fill_triangle_box(sink, t.a, t.b, t.c);
+      case TriangleMethod::blocks:
+        return raster::fill_triangle_blocks(sink, t.a, t.b, t.c);
+      default:
+        return raster::fill_triangle(sink, t.a, t.b, t.c);
+    }
+  }
   Status operator()(const Polygon& p) const {
-    std::vector<raster::PolygonEdge> workspace(p.vertices.size());
-    return raster::fill_polygon(sink, p.rule, p.vertices, p.contour_lengths, workspace);
+    switch (p.method) {
+      case PolygonMethod::basic: {
+        std::vector<raster::PolygonCrossing> workspace(p.vertices.size());
+        return raster::fill_polygon_basic(sink, p.rule, p.vertices, p.contour_lengths, workspace);
+      }
+      case PolygonMethod::critical: {
+        std::vector<raster::PolygonChain> workspace(p.vertices.size());
+        return raster::fill_polygon_critical(sink, p.rule, p.vertices, p.contour_lengths, workspace);
+      }
+      default: {
+        std::vector<raster::PolygonEdge> workspace(p.vertices.size());
+        return raster::fill_polygon(sink, p.rule, p.vertices, p.contour_lengths, workspace);
+      }
+    }
   }
   Status operator()(const Coverage& c) const {
     if (F::bits != 8) return {Error::unsupported, Argument::colour};

@@ -77,13 +77,17 @@ struct RoundRectangle {
   intaglio::raster::CornerRadii radii;
   bool filled = false;
 };
+enum class TriangleMethod : std::uint8_t { walk, box, blocks };
 struct Triangle {
   linear::SubPoint a, b, c;
+  TriangleMethod method{};
 };
+enum class PolygonMethod : std::uint8_t { active, basic, critical };
 struct Polygon {
   intaglio::raster::FillRule rule{};
   std::vector<linear::SubPoint> vertices;
   std::vector<int> contour_lengths;
+  PolygonMethod method{};
 };
 struct Coverage {
   Polygon polygon;  ///< Needs 8 bits a pixel: the levels are the indices.

@@ -42,6 +42,14 @@ constexpr std::array<std::pair<std::string_view, const Font*>, 6> fonts{{
     {"digits_48", &intaglio::fonts::digits_48},
 }};
 
+// The methods that draw a primitive; the first is what it takes without being told.
+constexpr std::array<std::pair<std::string_view, TriangleMethod>, 3> triangle_methods{
+    {{"walk", TriangleMethod::walk}, {"box", TriangleMethod::box}, {"blocks", TriangleMethod::blocks}}};
+constexpr std::array<std::pair<std::string_view, PolygonMethod>, 3> polygon_methods{
+    {{"active", PolygonMethod::active},
+     {"basic", PolygonMethod::basic},
+     {"critical", PolygonMethod::critical}}};
+
 /// What is wrong, in the library's words.
 std::string in_words(Status status) {
   std::string words = fmt::format("{} {}", to_text(status.argument()), to_text(status.error()));
@@ -186,6 +194,21 @@ class Interpreter {
     throw Failure(fmt::format("no font '{}'; there are{}", word, names));
   }
 
+  void method(Arguments& in) { method_ = in.word("name").text; }
+
+  /// The method of the primitive at hand.
+  template <class T, std::size_t N>
+  T chosen(const std::array<std::pair<std::string_view, T>, N>& methods) {
+    if (!method_) return methods.front().second;
+    const std::string word = *std::exchange(method_, std::nullopt);
+    std::string names;
+    for (const auto& [name, candidate] : methods) {
+      if (name == word) return candidate;
+      names += fmt::format(" {}", name);
+    }
+    throw Failure(fmt::format("no method '{}'; there are{}", word, names));
+  }
+
   void pixel(Arguments& in) { pending_ = Pixel{in.point("x", "y")}; }
   void line(Arguments& in) {
     const SubPoint from = in.subpoint("x0", "y0");
@@ -228,7 +251,7 @@ class Interpreter {
   void triangle(Arguments& in) {
     const SubPoint a = in.subpoint();
     const SubPoint b = in.subpoint();
-    pending_ = Triangle{a, b, in.subpoint()};
+    pending_ = Triangle{a, b, in.subpoint(), chosen(triangle_methods)};
   }
 
   void polygon(Arguments& in) {
@@ -238,6 +261,7 @@ class Interpreter {
       throw Failure(fmt::format("the rule must be evenodd or nonzero, not '{}'", rule));
     polygon.rule = rule == "evenodd" ? FillRule::even_odd : FillRule::non_zero;
     contours(in, polygon);
+    polygon.method = chosen(polygon_methods);
     pending_ = std::move(polygon);
   }
 
@@ -317,6 +341,7 @@ class Interpreter {
   }
 
   void draw() {
+    if (method_) throw Failure(fmt::format("no method '{}'; there is only one", *method_));
     const Status status = canvas_->draw(*pending_, pen_);
     pending_.reset();
     if (!status.ok()) throw Failure(in_words(status));
@@ -325,7 +350,7 @@ class Interpreter {
   [[nodiscard]] int last_index() const { return static_cast<int>(canvas_->max_index()); }
 
   using Method = void (Interpreter::*)(Arguments&);
-  static constexpr std::array<std::pair<std::string_view, Method>, 29> commands{{
+  static constexpr std::array<std::pair<std::string_view, Method>, 31> commands{{
       {"surface", &Interpreter::surface},
       {"palette", &Interpreter::palette},
       {"color", &Interpreter::colour},
@@ -333,6 +358,7 @@ class Interpreter {
       {"mode", &Interpreter::mode},
       {"clip", &Interpreter::clip},
       {"font", &Interpreter::font},
+      {"method", &Interpreter::method},
       {"pixel", &Interpreter::pixel},
       {"line", &Interpreter::line},
       {"dash", &Interpreter::dash},
@@ -362,6 +388,7 @@ class Interpreter {
   Pen pen_;
   const Font* font_ = &intaglio::fonts::fixed_6x13;
   std::array<std::uint8_t, 3> colours_{};
+  std::optional<std::string> method_;  // for the next primitive
   std::optional<Primitive> pending_;
 };
 
@@ -394,6 +421,8 @@ std::string_view language_help() {
   coverage X Y X Y X Y ... [/ X Y ...]
                              even-odd; index = how much of the pixel is covered, 0..255; needs 8 bits a pixel
   flood 4|8 X Y              the pixels around X Y of its index, joined by 4 or 8 neighbours inside the clip
+  method NAME                how the next primitive is drawn, to the same pixels: triangle walk (the default), box,
+                             blocks; polygon active (the default), basic, critical
   font NAME                  fixed_6x13 (the default), fixed_5x8, sans_11, digits_16, digits_28, digits_48
   text X Y "UTF-8"           top left of the text; escapes \" \\ and \n (next line)
 The surface is black (index 0) at first. Coordinates are whole pixels up to 2^20 either way, and may lie outside

@@ -154,6 +154,7 @@ TEST(PolygonRungs, AreEqualToTheDomainsEdge) {
 TEST(PolygonRungs, CriticalPointsNeedTwoEntriesForEachMinimum) {
   // A saw of 50 teeth and a long way back; a ring of 1000 vertices with one minimum.
   std::vector<SubPoint> saw;
+  saw.reserve(102);
   for (int i = 0; i < 50; ++i) {
     saw.push_back({i * 512, 0});
     saw.push_back({i * 512 + 256, 2560});
@@ -161,6 +162,7 @@ TEST(PolygonRungs, CriticalPointsNeedTwoEntriesForEachMinimum) {
   saw.push_back({50 * 512, 5000});
   saw.push_back({0, 5000});
   std::vector<SubPoint> ring;
+  ring.reserve(1000);
   for (int i = 0; i < 500; ++i) ring.push_back({-i * i / 99, i * 20});
   for (int i = 500; i > 0; --i) ring.push_back({i * i / 99, i * 20});
   const auto needed = [](const std::vector<SubPoint>& vertices) {
@@ -251,6 +253,7 @@ TEST(Convex, TrianglesToTheDomainsEdgeAreEqual) {
   for (int i = 0; i < 3000; ++i) {
     const int bound = limit >> i % 20;
     std::vector<SubPoint> triangle;
+    triangle.reserve(3);
     for (int k = 0; k < 3; ++k)
       triangle.push_back(
           {random.between(-1, 1) * (bound - random.between(0, 300)), random.between(-bound, bound)});

@@ -191,6 +191,21 @@ TEST(Draw, CoverageWritesTheAreaAsIndex) {
   EXPECT_EQ(twice->indices(), std::vector<std::uint8_t>(std::size_t{width} * height));
 }
 
+TEST(Draw, MethodsOfTheNextPrimitiveGiveTheSamePixels) {
+  for (const char* method : {"walk", "box", "blocks"})
+    expect_pixels(std::string("method ") + method + "\ntriangle 1.5 2.25 40 5 -3 38.75", [](int x, int y) {
+      return oracle::in_triangle({384, 576}, {10240, 1280}, {-768, 9920}, x, y);
+    });
+  const oracle::Contours star{{{5120, 256}, {7936, 9216}, {512, 3584}, {9984, 3584}, {2304, 9216}}};
+  for (const char* method : {"active", "basic", "critical"})
+    for (const bool even_odd : {true, false})
+      expect_pixels(std::string("method ") + method + "\npolygon " + (even_odd ? "evenodd" : "nonzero") +
+                        " 20 1 31 36 2 14 39 14 9 36",
+                    [&](int x, int y) { return oracle::in_polygon(star, even_odd, x, y); });
+  // The one after the next takes its default again.
+  EXPECT_NO_THROW(draw("method box\ntriangle 0 0 9 0 0 9\npolygon evenodd 0 0 9 0 0 9"));
+}
+
 TEST(Draw, FloodFillsTheRegionOfTheSeedsIndexInsideTheClip) {
   const std::string walls = "rect 3 2 30 20\nline 3 21 32 2\ncolor 6\n";
   const auto walled = draw(walls)->indices();
@@ -352,6 +367,12 @@ TEST(DrawErrors, SayTheLineTheCommandAndWhatIsWrong) {
       {"S\ntriangle 0 0 1 0 1", "line 2: triangle: y is missing"},
       {"S\ntriangle 0 0 1 0 1 1e3", "line 2: triangle: y must be a number, not '1e3'"},
       {"S\ntriangle 0 0 1 0 1 1048576.1", "line 2: triangle: point out of domain"},
+      {"S\nmethod basic\ntriangle 0 0 9 0 0 9",
+       "line 3: triangle: no method 'basic'; there are walk box blocks"},
+      {"S\nmethod box\npolygon evenodd 0 0 9 0 0 9",
+       "line 3: polygon: no method 'box'; there are active basic critical"},
+      {"S\nmethod box\npixel 1 1", "line 3: pixel: no method 'box'; there is only one"},
+      {"S\nmethod", "line 2: method: name is missing"},
       {"S\nflood 6 1 1", "line 2: flood: a pixel has 4 or 8 neighbours, not '6'"},
       {"S\nflood 4 1", "line 2: flood: y is missing"},
       {"S\nflood 4 1 1048577", "line 2: flood: point out of domain"},

@@ -121,6 +121,7 @@ struct Drawer {
     std::vector<raster::CoverageCell> workspace(static_cast<std::size_t>(surface.size().width));
     return raster::fill_coverage(Levels<F, Sink>{sink, surface}, rule, vertices, lengths, workspace);
   }
+  Status operator()(const Combination& c) const { return fill_combination(sink, c); }
   Status operator()(const FloodFill& f) const {
     // All of the region has the seed's index, so exclusive-or gives it one other.
     const bool flips = pen.exclusive_or && raster::in_clip(surface.bounds(), f.seed);

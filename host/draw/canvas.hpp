@@ -3,6 +3,7 @@
 // What the drawing language draws on: a surface of any of the four depths, whose every write is counted.
 #pragma once
 
+#include <host/draw/combination.hpp>
 #include <intaglio/linear/rect.hpp>
 #include <intaglio/number/angle.hpp>
 #include <intaglio/raster/flood.hpp>
@@ -16,6 +17,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -101,8 +103,9 @@ struct Text {
   linear::Point top_left;
   std::string utf8;
 };
-using Primitive = std::variant<Pixel, Line, Dashes, ThickLine, Rectangle, Circle, DiametricCircle, Ellipse,
-                               Ring, Arc, RoundRectangle, Triangle, Polygon, Coverage, FloodFill, Text>;
+using Primitive =
+    std::variant<Pixel, Line, Dashes, ThickLine, Rectangle, Circle, DiametricCircle, Ellipse, Ring, Arc,
+                 RoundRectangle, Triangle, Polygon, Combination, Coverage, FloodFill, Text>;
 
 /// How primitives are drawn.
 struct Pen {
@@ -133,6 +136,9 @@ class Canvas {
   /// RGBRGB…, one entry an index; a grey ramp from black to white at first.
   [[nodiscard]] std::vector<std::uint8_t>& palette() { return palette_; }
   [[nodiscard]] const std::vector<std::uint8_t>& palette() const { return palette_; }
+  /// What commands had to say, in whole lines.
+  [[nodiscard]] const std::string& printed() const { return printed_; }
+  void print(std::string_view lines) { printed_ += lines; }
 
  protected:
   Canvas(linear::Size size, unsigned max_index);
@@ -143,6 +149,7 @@ class Canvas {
   unsigned max_index_;
   std::vector<std::uint8_t> touched_;
   std::vector<std::uint8_t> palette_;
+  std::string printed_;
 };
 
 }  // namespace host::draw

@@ -54,7 +54,7 @@ void write_outputs(const Canvas& canvas, const Outputs& outputs) {
   if (!outputs.pgm.empty()) files.emplace_back(outputs.pgm, encode_pgm(size, indices));
   if (!outputs.touched.empty()) files.emplace_back(outputs.touched, encode_pgm(size, canvas.touched()));
   for (const auto& [path, content] : files) host::write_file(path, content);
-  std::string printed;
+  std::string printed = canvas.printed();
   if (outputs.ascii) printed += to_ascii(size, indices);
   if (outputs.digest) printed += fmt::format("frame 0 crc32 {:08x}\n", canvas.digest());
   if (std::fwrite(printed.data(), 1, printed.size(), stdout) != printed.size() || std::fflush(stdout) != 0)

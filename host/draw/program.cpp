@@ -293,6 +293,31 @@ class Interpreter {
     end_contour();
   }
 
+  void boolean(Arguments& in) {
+    using intaglio::clip::BooleanRule;
+    static constexpr std::array<std::pair<std::string_view, BooleanRule>, 4> rules{
+        {{"intersection", BooleanRule::intersection},
+         {"union", BooleanRule::join},
+         {"a-b", BooleanRule::a_minus_b},
+         {"b-a", BooleanRule::b_minus_a}}};
+    const std::string& word = in.word("operation").text;
+    const auto* const rule =
+        std::find_if(rules.begin(), rules.end(), [&](const auto& known) { return known.first == word; });
+    if (rule == rules.end())
+      throw Failure(fmt::format("the operation must be intersection, union, a-b or b-a, not '{}'", word));
+    Combination combination{rule->second, {}, {}};
+    while (in.left() > 0 && !in.next_is("/")) combination.a.push_back(in.subpoint());
+    (void)in.word("the second polygon after /");
+    while (in.left() > 0) combination.b.push_back(in.subpoint());
+    for (const auto& operand : {combination.a, combination.b})
+      if (operand.size() < 3)
+        throw Failure(fmt::format("a polygon needs 3 vertices, this has {}", operand.size()));
+    Status status;
+    canvas_->print(describe(combination, status));
+    if (!status.ok()) throw Failure(in_words(status));
+    pending_ = std::move(combination);
+  }
+
   void flood(Arguments& in) {
     using intaglio::raster::Connectivity;
     const std::string& neighbours = in.word("neighbours").text;
@@ -350,7 +375,7 @@ class Interpreter {
   [[nodiscard]] int last_index() const { return static_cast<int>(canvas_->max_index()); }
 
   using Method = void (Interpreter::*)(Arguments&);
-  static constexpr std::array<std::pair<std::string_view, Method>, 31> commands{{
+  static constexpr std::array<std::pair<std::string_view, Method>, 32> commands{{
       {"surface", &Interpreter::surface},
       {"palette", &Interpreter::palette},
       {"color", &Interpreter::colour},
@@ -380,6 +405,7 @@ class Interpreter {
       {"triangle", &Interpreter::triangle},
       {"polygon", &Interpreter::polygon},
       {"coverage", &Interpreter::coverage},
+      {"boolean", &Interpreter::boolean},
       {"flood", &Interpreter::flood},
       {"text", &Interpreter::text},
   }};
@@ -420,14 +446,18 @@ std::string_view language_help() {
                              filled; / begins another contour (a hole, an island)
   coverage X Y X Y X Y ... [/ X Y ...]
                              even-odd; index = how much of the pixel is covered, 0..255; needs 8 bits a pixel
+  boolean intersection|union|a-b|b-a X Y X Y X Y ... / X Y X Y X Y ...
+                             two polygons combined, each by evenodd and within 2048 pixels; draws the result, and
+                             prints its contours, exactly, as `contour X Y X Y ...`, and its area as `area N/D`
   flood 4|8 X Y              the pixels around X Y of its index, joined by 4 or 8 neighbours inside the clip
   method NAME                how the next primitive is drawn, to the same pixels: triangle walk (the default), box,
                              blocks; polygon active (the default), basic, critical
   font NAME                  fixed_6x13 (the default), fixed_5x8, sans_11, digits_16, digits_28, digits_48
   text X Y "UTF-8"           top left of the text; escapes \" \\ and \n (next line)
 The surface is black (index 0) at first. Coordinates are whole pixels up to 2^20 either way, and may lie outside
-the surface. Those of line, thickline, triangle, polygon and coverage may be decimal; they are rounded to the nearest
-1/256, halves away from zero. An error says `line N: ...`, nothing is written then, and the exit code is 1.)";
+the surface. Those of line, thickline, triangle, polygon, boolean and coverage may be decimal; they are rounded to
+the nearest 1/256, halves away from zero. An error says `line N: ...`, nothing is written then, and the exit code
+is 1.)";
 }
 
 std::shared_ptr<const Canvas> draw_program(std::string_view source) {

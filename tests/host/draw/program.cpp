@@ -161,6 +161,31 @@ TEST(Draw, TriangleTakesDecimals) {
   });
 }
 
+TEST(Draw, BooleanDrawsTheExactPixelsAndPrintsTheExactResult) {
+  const oracle::Contours a{{{256, 256}, {10240, 1280}, {5120, 9216}}};
+  const oracle::Contours b{{{5120, 256}, {7936, 9216}, {512, 3584}, {9984, 3584}, {2304, 9216}}};
+  const std::string operands = " 1 1 40 5 20 36 / 20 1 31 36 2 14 39 14 9 36";
+  const auto expect = [&](const std::string& operation, const std::function<bool(bool, bool)>& taken) {
+    expect_pixels("boolean " + operation + operands, [&](int x, int y) {
+      return taken(oracle::in_polygon(a, true, x, y), oracle::in_polygon(b, true, x, y));
+    });
+  };
+  expect("intersection", [](bool in_a, bool in_b) { return in_a && in_b; });
+  expect("union", [](bool in_a, bool in_b) { return in_a || in_b; });
+  expect("a-b", [](bool in_a, bool in_b) { return in_a && !in_b; });
+  expect("b-a", [](bool in_a, bool in_b) { return in_b && !in_a; });
+}
+
+TEST(Draw, BooleanPrintsFractionsInLowestTerms) {
+  EXPECT_EQ(draw("boolean intersection 0 0 4 0 4 4 0 4 / 1 1 7 3 1 3")->printed(),
+            "contour 1 3 4 3 4 2 1 1\narea 9/2\n");
+  EXPECT_EQ(draw("boolean intersection 0 0 3 0 0 1.5 / 0 0 2 4 0 4")->printed(),
+            "contour 0 3/2 3/5 6/5 0 0\narea 9/20\n");
+  EXPECT_EQ(
+      draw("boolean a-b 0 0 4 0 4 4 / 0 0 4 0 4 4\nboolean union 0 0 2 0 2 2 0 2 / 0 0 2 0 2 2")->printed(),
+      "area 0/1\ncontour 0 2 2 2 2 0 0 0\narea 4/1\n");
+}
+
 TEST(Draw, PolygonByBothRulesAndWithContours) {
   const oracle::Contours star{{{5120, 256}, {7936, 9216}, {512, 3584}, {9984, 3584}, {2304, 9216}}};
   const std::string vertices = "20 1 31 36 2 14 39 14 9 36";
@@ -380,6 +405,11 @@ TEST(DrawErrors, SayTheLineTheCommandAndWhatIsWrong) {
       {"S\npolygon evenodd 0 0 1 0", "line 2: polygon: a contour needs 3 vertices, this has 2"},
       {"S\npolygon evenodd 0 0 1 0 1 1 /", "line 2: polygon: a contour needs 3 vertices, this has 0"},
       {"S\npolygon evenodd 0 0 1 0 1 1 2", "line 2: polygon: y is missing"},
+      {"S\nboolean minus 0 0 1 0 1 1",
+       "line 2: boolean: the operation must be intersection, union, a-b or b-a, not 'minus'"},
+      {"S\nboolean union 0 0 1 0 1 1", "line 2: boolean: the second polygon after / is missing"},
+      {"S\nboolean union 0 0 1 0 / 0 0 1 0 1 1", "line 2: boolean: a polygon needs 3 vertices, this has 2"},
+      {"S\nboolean union 0 0 1 0 1 2049 / 0 0 1 0 1 1", "line 2: boolean: vertices out of domain"},
       {"S\npolygon evenodd 0 0 1 0 1 -1048577", "line 2: polygon: vertices out of domain"},
       {"S\ncoverage 0 0 1 0 1 1", "line 2: coverage: the surface must have 8 bits a pixel"},
       {"surface 9 9 8\ncoverage 0 0 1 0", "line 2: coverage: a contour needs 3 vertices, this has 2"},

@@ -117,9 +117,10 @@ struct Drawer {
   }
   Status operator()(const Coverage& c) const {
     if (F::bits != 8) return {Error::unsupported, Argument::colour};
-    const auto& [rule, vertices, lengths] = c.polygon;
+    const Polygon& p = c.polygon;
     std::vector<raster::CoverageCell> workspace(static_cast<std::size_t>(surface.size().width));
-    return raster::fill_coverage(Levels<F, Sink>{sink, surface}, rule, vertices, lengths, workspace);
+    return raster::fill_coverage(Levels<F, Sink>{sink, surface}, p.rule, p.vertices, p.contour_lengths,
+                                 workspace);
   }
   Status operator()(const Combination& c) const { return fill_combination(sink, c); }
   Status operator()(const FloodFill& f) const {

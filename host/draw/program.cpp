@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <host/draw/decimal.hpp>
+#include <host/draw/arguments.hpp>
 #include <host/draw/program.hpp>
 #include <host/draw/words.hpp>
 #include <host/failure.hpp>
@@ -33,14 +33,14 @@ using intaglio::text::Font;
 using linear::Point;
 using linear::SubPoint;
 
-constexpr std::array<std::pair<std::string_view, const Font*>, 6> fonts{{
+constexpr auto fonts = std::to_array<std::pair<std::string_view, const Font*>>({
     {"fixed_5x8", &intaglio::fonts::fixed_5x8},
     {"fixed_6x13", &intaglio::fonts::fixed_6x13},
     {"sans_11", &intaglio::fonts::sans_11},
     {"digits_16", &intaglio::fonts::digits_16},
     {"digits_28", &intaglio::fonts::digits_28},
     {"digits_48", &intaglio::fonts::digits_48},
-}};
+});
 
 // The methods that draw a primitive; the first is what it takes without being told.
 constexpr std::array<std::pair<std::string_view, TriangleMethod>, 3> triangle_methods{
@@ -56,70 +56,6 @@ std::string in_words(Status status) {
   if (status.needed() != 0) words += fmt::format(" (limit {})", status.needed());
   return words;
 }
-
-/// A reader of one command's arguments; the names of the arguments are for messages.
-class Arguments {
- public:
-  explicit Arguments(std::span<const Word> words) : words_(words) {}
-
-  [[nodiscard]] std::size_t left() const { return words_.size(); }
-  [[nodiscard]] bool next_is(std::string_view text) const {
-    return !words_.empty() && !words_.front().quoted && words_.front().text == text;
-  }
-
-  /// The next word as it is.
-  const Word& word(std::string_view name) {
-    if (words_.empty()) throw Failure(fmt::format("{} is missing", name));
-    const Word& first = words_.front();
-    words_ = words_.subspan(1);
-    return first;
-  }
-
-  int whole(std::string_view name) {
-    const Word& w = word(name);
-    const auto value = w.quoted ? std::nullopt : parse_whole(w.text);
-    if (!value) {
-      const bool decimal = !w.quoted && parse_subpixel(w.text).has_value();
-      throw Failure(fmt::format("{} must be a {}number, not '{}'", name, decimal ? "whole " : "", w.text));
-    }
-    return *value;
-  }
-
-  int whole(std::string_view name, int low, int high) {
-    const int value = whole(name);
-    if (value < low || value > high)
-      throw Failure(fmt::format("{} must be {} to {}, not {}", name, low, high, value));
-    return value;
-  }
-
-  int subpixel(std::string_view name) {
-    const Word& w = word(name);
-    const auto value = w.quoted ? std::nullopt : parse_subpixel(w.text);
-    if (!value) throw Failure(fmt::format("{} must be a number, not '{}'", name, w.text));
-    return *value;
-  }
-
-  Point point(std::string_view x, std::string_view y) {
-    const int first = whole(x);
-    return {first, whole(y)};
-  }
-  SubPoint subpoint(std::string_view x = "x", std::string_view y = "y") {
-    const int first = subpixel(x);
-    return {first, subpixel(y)};
-  }
-  linear::Rect rectangle() {
-    const Point corner = point("x", "y");
-    const int width = whole("width");
-    return {corner.x, corner.y, width, whole("height")};
-  }
-
-  void end() const {
-    if (!words_.empty()) throw Failure(fmt::format("'{}' is one argument too many", words_.front().text));
-  }
-
- private:
-  std::span<const Word> words_;
-};
 
 class Interpreter {
  public:
@@ -375,7 +311,7 @@ class Interpreter {
   [[nodiscard]] int last_index() const { return static_cast<int>(canvas_->max_index()); }
 
   using Method = void (Interpreter::*)(Arguments&);
-  static constexpr std::array<std::pair<std::string_view, Method>, 32> commands{{
+  static constexpr auto commands = std::to_array<std::pair<std::string_view, Method>>({
       {"surface", &Interpreter::surface},
       {"palette", &Interpreter::palette},
       {"color", &Interpreter::colour},
@@ -408,7 +344,7 @@ class Interpreter {
       {"boolean", &Interpreter::boolean},
       {"flood", &Interpreter::flood},
       {"text", &Interpreter::text},
-  }};
+  });
 
   std::shared_ptr<Canvas> canvas_;
   Pen pen_;
@@ -419,46 +355,6 @@ class Interpreter {
 };
 
 }  // namespace
-
-std::string_view language_help() {
-  return R"(The drawing language, one command a line, # begins a comment:
-  surface W H BITS           the first command: width, height, 1, 2, 4 or 8 bits a pixel
-  palette INDEX R G B        0..255 each; at first a grey ramp, index 0 black, the last white
-  color INDEX                what is drawn with (or colour); at first the last index
-  mode set|xor               store the index, or exclusive-or it into what is there
-  clip X Y W H | clip none   draw only inside
-  pixel X Y
-  line X0 Y0 X1 Y1           both ends included
-  dash ON OFF X0 Y0 X1 Y1    of that line ON pixels and OFF not, in turn, from X0 Y0 on
-  thickline X0 Y0 X1 Y1 WIDTH [butt|square]
-                             WIDTH across the line, whichever way it runs; square ends stick out by half of it
-  rect X Y W H               outline; fillrect: filled
-  circle X Y R               outline; disc: filled, outline included
-  evencircle X Y D           circle with the diameter D, even or odd, and its top left at X Y; evendisc: filled
-  ellipse X Y RX RY          outline; fillellipse: filled, outline included
-  ring X Y R_IN R_OUT        the disc of radius R_OUT without that of radius R_IN
-  arc X Y R START SWEEP      part of a circle, in 1/65536 turn, clockwise from three o'clock, the larger angle left
-                             out; negative sweeps go the other way, a turn or more is all. pie: filled to the
-                             centre; chord: filled to the line between the ends
-  roundrect X Y W H R        outline; fillroundrect: filled. Four radii instead of R go clockwise from top left
-  triangle X Y X Y X Y       filled
-  polygon evenodd|nonzero X Y X Y X Y ... [/ X Y ...]
-                             filled; / begins another contour (a hole, an island)
-  coverage X Y X Y X Y ... [/ X Y ...]
-                             even-odd; index = how much of the pixel is covered, 0..255; needs 8 bits a pixel
-  boolean intersection|union|a-b|b-a X Y X Y X Y ... / X Y X Y X Y ...
-                             two polygons combined, each by evenodd and within 2048 pixels; draws the result, and
-                             prints its contours, exactly, as `contour X Y X Y ...`, and its area as `area N/D`
-  flood 4|8 X Y              the pixels around X Y of its index, joined by 4 or 8 neighbours inside the clip
-  method NAME                how the next primitive is drawn, to the same pixels: triangle walk (the default), box,
-                             blocks; polygon active (the default), basic, critical
-  font NAME                  fixed_6x13 (the default), fixed_5x8, sans_11, digits_16, digits_28, digits_48
-  text X Y "UTF-8"           top left of the text; escapes \" \\ and \n (next line)
-The surface is black (index 0) at first. Coordinates are whole pixels up to 2^20 either way, and may lie outside
-the surface. Those of line, thickline, triangle, polygon, boolean and coverage may be decimal; they are rounded to
-the nearest 1/256, halves away from zero. An error says `line N: ...`, nothing is written then, and the exit code
-is 1.)";
-}
 
 std::shared_ptr<const Canvas> draw_program(std::string_view source) {
   Interpreter interpreter;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <tests/clip/combine.hpp>
 #include <tests/oracle/random.hpp>
+#include <tests/oracle/samples.hpp>
 
 #include <climits>
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 
 namespace {
 
@@ -67,12 +67,10 @@ bool same_places(const Combined& result, BooleanRule rule, const Shape& a, const
   return true;
 }
 
-// A grid of 6 x 6 makes shared vertices, overlapping edges and vertices on edges the rule. 10^5 pairs and
-// more with INTAGLIO_BOOLEAN_PAIRS.
+// A grid of 6 x 6 makes shared vertices, overlapping edges and vertices on edges the rule.
 TEST(Combine, RandomPairsOnASmallGridHaveTheExactAreas) {
   oracle::Random random(2019);
-  const char* const wish = std::getenv("INTAGLIO_BOOLEAN_PAIRS");
-  const int pairs = wish != nullptr ? std::atoi(wish) : 4000;
+  const int pairs = oracle::samples(4000, 100000);
   for (int i = 0; i < pairs; ++i) {
     const int size = i % 3 == 0 ? 3 : 5;
     const Shape a = random_shape(random, 0, size, i % 10 == 0 ? 9 : 5);

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+//
+// What `intaglio-draw --help` says about the drawing language.
+#include <host/draw/program.hpp>
+
+namespace host::draw {
+
+std::string_view language_help() {
+  return R"(The drawing language, one command a line, # begins a comment:
+  surface W H BITS           the first command: width, height, 1, 2, 4 or 8 bits a pixel
+  palette INDEX R G B        0..255 each; at first a grey ramp, index 0 black, the last white
+  color INDEX                what is drawn with (or colour); at first the last index
+  mode set|xor               store the index, or exclusive-or it into what is there
+  clip X Y W H | clip none   draw only inside
+  pixel X Y
+  line X0 Y0 X1 Y1           both ends included
+  dash ON OFF X0 Y0 X1 Y1    of that line ON pixels and OFF not, in turn, from X0 Y0 on
+  thickline X0 Y0 X1 Y1 WIDTH [butt|square]
+                             WIDTH across the line, whichever way it runs; square ends stick out by half of it
+  rect X Y W H               outline; fillrect: filled
+  circle X Y R               outline; disc: filled, outline included
+  evencircle X Y D           circle with the diameter D, even or odd, and its top left at X Y; evendisc: filled
+  ellipse X Y RX RY          outline; fillellipse: filled, outline included
+  ring X Y R_IN R_OUT        the disc of radius R_OUT without that of radius R_IN
+  arc X Y R START SWEEP      part of a circle, in 1/65536 turn, clockwise from three o'clock, the larger angle left
+                             out; negative sweeps go the other way, a turn or more is all. pie: filled to the
+                             centre; chord: filled to the line between the ends
+  roundrect X Y W H R        outline; fillroundrect: filled. Four radii instead of R go clockwise from top left
+  triangle X Y X Y X Y       filled
+  polygon evenodd|nonzero X Y X Y X Y ... [/ X Y ...]
+                             filled; / begins another contour (a hole, an island)
+  coverage X Y X Y X Y ... [/ X Y ...]
+                             even-odd; index = how much of the pixel is covered, 0..255; needs 8 bits a pixel
+  boolean intersection|union|a-b|b-a X Y X Y X Y ... / X Y X Y X Y ...
+                             two polygons combined, each by evenodd and within 2048 pixels; draws the result, and
+                             prints its contours, exactly, as `contour X Y X Y ...`, and its area as `area N/D`
+  flood 4|8 X Y              the pixels around X Y of its index, joined by 4 or 8 neighbours inside the clip
+  method NAME                how the next primitive is drawn, to the same pixels: triangle walk (the default), box,
+                             blocks; polygon active (the default), basic, critical
+  font NAME                  fixed_6x13 (the default), fixed_5x8, sans_11, digits_16, digits_28, digits_48
+  text X Y "UTF-8"           top left of the text; escapes \" \\ and \n (next line)
+The surface is black (index 0) at first. Coordinates are whole pixels up to 2^20 either way, and may lie outside
+the surface. Those of line, thickline, triangle, polygon, boolean and coverage may be decimal; they are rounded to
+the nearest 1/256, halves away from zero. An error says `line N: ...`, nothing is written then, and the exit code
+is 1.)";
+}
+
+}  // namespace host::draw

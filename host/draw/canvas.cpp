@@ -48,6 +48,19 @@ struct Levels {
   }
 };
 
+/// Stores what is drawn in a copy of the picture, too, of which nothing is hidden.
+template <image::PixelFormat F, class Sink>
+struct WithCopy {
+  const Sink& sink;
+  raster::Solid<F> copy;
+
+  [[nodiscard]] const linear::Rect& clip() const { return sink.clip(); }
+  void span(int y, int x_begin, int x_end) const {
+    copy.span(y, x_begin, x_end);
+    sink.span(y, x_begin, x_end);
+  }
+};
+
 template <image::PixelFormat F, class Sink>
 struct Drawer {
   const Sink& sink;
@@ -127,11 +140,17 @@ struct Drawer {
     // All of the region has the seed's index, so exclusive-or gives it one other.
     const bool flips = pen.exclusive_or && raster::in_clip(surface.bounds(), f.seed);
     const unsigned fill = flips ? surface.get(f.seed.x, f.seed.y) ^ pen.index : pen.index;
-    auto flood = raster::Flood<F>::interior(surface, f.connectivity, f.seed, fill);
+    // It spreads where it may not draw, too, so it must find its way on a copy.
+    std::vector<std::uint8_t> bytes(surface.byte_at(0, 0),
+                                    surface.byte_at(0, 0) + surface.stride() * surface.size().height);
+    const auto copy = image::Surface<F>::over(bytes, surface.size(), surface.stride());
+    if (!copy.ok()) return copy.status();
+    auto flood = raster::Flood<F>::interior(copy.value(), f.connectivity, f.seed, fill);
     if (!flood.ok()) return flood.status();
+    const WithCopy<F, Sink> spreading{sink, {copy.value(), fill}};
     std::vector<raster::FloodSpan> workspace(64);
     for (;;) {
-      const Status status = flood.value().run(sink, workspace);
+      const Status status = flood.value().run(spreading, workspace);
       if (status.error() != Error::too_small) return status;
       workspace.resize(2 * std::size_t{status.needed()});
     }
@@ -155,7 +174,7 @@ class CanvasOf final : public Canvas {
   Status draw(const Primitive& primitive, const Pen& pen) override {
     const Touches counts(touches(), size().width);
     const auto with = [&](const auto& sink) {
-      const CountingSink counting(sink, counts);
+      const CountingSink counting(sink, counts, pen.window ? &pen.window->clip() : nullptr);
       return std::visit(Drawer<F, CountingSink<std::remove_cvref_t<decltype(sink)>>>{counting, surface_, pen},
                         primitive);
     };
@@ -182,6 +201,20 @@ class CanvasOf final : public Canvas {
 };
 
 }  // namespace
+
+Result<std::shared_ptr<const PolygonWindow>> PolygonWindow::create(const Polygon& polygon,
+                                                                   linear::Size canvas) {
+  const auto window = std::make_shared<PolygonWindow>();
+  std::vector<raster::PolygonEdge> edges(polygon.vertices.size());
+  for (;;) {
+    const auto made = raster::PolygonClip::over(polygon.rule, polygon.vertices, polygon.contour_lengths,
+                                                {0, 0, canvas.width, canvas.height}, edges, window->spans_);
+    window->clip_ = made.value();
+    if (made.ok()) return std::shared_ptr<const PolygonWindow>(window);
+    if (made.status().error() != Error::too_small) return made.status();
+    window->spans_.resize(made.status().needed());
+  }
+}
 
 Canvas::Canvas(linear::Size size, unsigned max_index)
     : size_(size),

@@ -8,6 +8,7 @@
 #include <intaglio/number/angle.hpp>
 #include <intaglio/raster/flood.hpp>
 #include <intaglio/raster/polygon.hpp>
+#include <intaglio/raster/polygon_clip.hpp>
 #include <intaglio/raster/round_rect.hpp>
 #include <intaglio/raster/thick_line.hpp>
 #include <intaglio/status.hpp>
@@ -107,11 +108,25 @@ using Primitive =
     std::variant<Pixel, Line, Dashes, ThickLine, Rectangle, Circle, DiametricCircle, Ellipse, Ring, Arc,
                  RoundRectangle, Triangle, Polygon, Combination, Coverage, FloodFill, Text>;
 
+/// The pixels of a polygon on a canvas, with the memory they lie in.
+class PolygonWindow {
+ public:
+  /// Errors: as `PolygonClip::over`.
+  static intaglio::Result<std::shared_ptr<const PolygonWindow>> create(const Polygon& polygon,
+                                                                       linear::Size canvas);
+  [[nodiscard]] const intaglio::raster::PolygonClip& clip() const { return clip_; }
+
+ private:
+  std::vector<intaglio::raster::RowSpan> spans_;
+  intaglio::raster::PolygonClip clip_;
+};
+
 /// How primitives are drawn.
 struct Pen {
   unsigned index = 0;
   bool exclusive_or = false;
-  linear::Rect clip{};  ///< Where it draws.
+  linear::Rect clip{};                          ///< Where it draws.
+  std::shared_ptr<const PolygonWindow> window;  ///< If there is one, only what is inside this, too.
 };
 
 class Canvas {

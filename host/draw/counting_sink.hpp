@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
 // A sink that counts the writes of another, and hands them on by the same way they came: spans as spans,
-// blocks as blocks, cursor steps as cursor steps.
+// blocks as blocks, cursor steps as cursor steps. If it is given a polygon, it hands on what is inside, all
+// of it as spans.
 #pragma once
 
 #include <intaglio/linear/rect.hpp>
+#include <intaglio/raster/polygon_clip.hpp>
 #include <intaglio/raster/sink.hpp>
 
 #include <cstddef>
@@ -36,18 +38,29 @@ class CountingSink {
  public:
   using Counted = Sink;
 
-  CountingSink(Sink sink, Touches touches) : sink_(std::move(sink)), touches_(touches) {}
+  /// `polygon` may be null: nothing more is cut off then.
+  CountingSink(Sink sink, Touches touches, const intaglio::raster::PolygonClip* polygon)
+      : sink_(std::move(sink)), touches_(touches), polygon_(polygon) {}
 
   [[nodiscard]] const linear::Rect& clip() const { return sink_.clip(); }
   /// The same counts for another sink.
-  [[nodiscard]] CountingSink over(Sink sink) const { return {std::move(sink), touches_}; }
+  [[nodiscard]] CountingSink over(Sink sink) const { return {std::move(sink), touches_, polygon_}; }
 
   void span(int y, int x_begin, int x_end) const {
+    if (polygon_ != nullptr) {
+      const CountingSink behind{sink_, touches_, nullptr};
+      intaglio::raster::PolygonClipped(behind, *polygon_).span(y, x_begin, x_end);
+      return;
+    }
     for (int x = x_begin; x < x_end; ++x) touches_.add(x, y);
     sink_.span(y, x_begin, x_end);
   }
 
   void block(const linear::Rect& r) const {
+    if (polygon_ != nullptr) {
+      for (int y = r.y; y < r.bottom(); ++y) span(y, r.x, r.right());
+      return;
+    }
     for (int y = r.y; y < r.bottom(); ++y)
       for (int x = r.x; x < r.right(); ++x) touches_.add(x, y);
     sink_.block(r);
@@ -56,9 +69,13 @@ class CountingSink {
   class Cursor {
    public:
     Cursor(const CountingSink& sink, int x, int y)
-        : cursor_(sink.sink_.cursor(x, y)), touches_(sink.touches_), x_(x), y_(y) {}
+        : sink_(&sink), cursor_(sink.sink_.cursor(x, y)), x_(x), y_(y) {}
     void put() {
-      touches_.add(x_, y_);
+      if (sink_->polygon_ != nullptr) {
+        sink_->span(y_, x_, x_ + 1);
+        return;
+      }
+      sink_->touches_.add(x_, y_);
       cursor_.put();
     }
     void left() { --x_, cursor_.left(); }
@@ -68,8 +85,8 @@ class CountingSink {
     void turn_over() { down_ = -down_, cursor_.turn_over(); }
 
    private:
+    const CountingSink* sink_;
     decltype(std::declval<const Sink&>().cursor(0, 0)) cursor_;
-    Touches touches_;
     int x_;
     int y_;
     int down_ = 1;
@@ -79,6 +96,7 @@ class CountingSink {
  private:
   Sink sink_;
   Touches touches_;
+  const intaglio::raster::PolygonClip* polygon_;
 };
 
 }  // namespace host::draw

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <gmpxx.h>
 #include <limits>
+#include <string>
 #include <vector>
 
 namespace host::draw {
@@ -53,6 +55,16 @@ int with_sign(std::int64_t value, bool minus) {
   return minus ? -clamped : clamped;
 }
 
+/// 256 times the fraction, rounded, halves up, saturated; nothing if it isn't one.
+std::optional<std::int64_t> rounded_256ths(std::string_view upper, std::string_view lower) {
+  if (upper.empty() || lower.empty() || !all_digits(upper) || !all_digits(lower)) return std::nullopt;
+  const mpz_class numerator(std::string(upper), 10);
+  const mpz_class denominator(std::string(lower), 10);
+  if (denominator == 0) return std::nullopt;
+  const mpz_class value = (512 * numerator + denominator) / (2 * denominator);
+  return value > largest ? largest : std::int64_t{value.get_si()};
+}
+
 }  // namespace
 
 std::optional<int> parse_whole(std::string_view text) {
@@ -63,6 +75,10 @@ std::optional<int> parse_whole(std::string_view text) {
 
 std::optional<int> parse_subpixel(std::string_view text) {
   const bool minus = take_minus(text);
+  if (const auto bar = text.find('/'); bar != std::string_view::npos) {
+    const auto value = rounded_256ths(text.substr(0, bar), text.substr(bar + 1));
+    return value ? std::optional(with_sign(*value, minus)) : std::nullopt;
+  }
   const auto point = text.find('.');
   const std::string_view whole = text.substr(0, point);
   const std::string_view fraction = point == std::string_view::npos ? "" : text.substr(point + 1);

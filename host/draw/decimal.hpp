@@ -2,9 +2,9 @@
 //
 // Numbers of the drawing language, read exactly.
 //
-// Rule: a decimal is rounded to the nearest 1/256, halves away from zero. The digits after the point are
-// multiplied by 256 as decimal digits, so a number with a thousand of them is rounded rightly too; no
-// floating point is involved.
+// Rule: a decimal or a fraction is rounded to the nearest 1/256, halves away from zero. The digits after the
+// point are multiplied by 256 as decimal digits, and fractions divided as integers of any length, so numbers
+// with a thousand digits are rounded rightly too; no floating point is involved.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,8 @@ namespace host::draw {
 /// command refuses as out of its range.
 std::optional<int> parse_whole(std::string_view text);
 
-/// A number such as -3, +0.5, 12.00390625 or .5, in 1/256. Saturates at +-2^31-1.
+/// A number such as -3, +0.5, 12.00390625, .5 or -7/3, in 1/256. Saturates at +-2^31-1. The parts of a
+/// fraction are whole, and the lower one has no sign and isn't zero.
 std::optional<int> parse_subpixel(std::string_view text);
 
 }  // namespace host::draw

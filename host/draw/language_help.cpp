@@ -12,6 +12,8 @@ std::string_view language_help() {
   color INDEX                what is drawn with (or colour); at first the last index
   mode set|xor               store the index, or exclusive-or it into what is there
   clip X Y W H | clip none   draw only inside
+  clippoly [evenodd|nonzero] X Y X Y X Y ... [/ X Y ...] | clippoly none
+                             draw only inside this polygon, too; a flood spreads where it doesn't draw, as well
   pixel X Y
   line X0 Y0 X1 Y1           both ends included
   dash ON OFF X0 Y0 X1 Y1    of that line ON pixels and OFF not, in turn, from X0 Y0 on
@@ -40,9 +42,9 @@ std::string_view language_help() {
   font NAME                  fixed_6x13 (the default), fixed_5x8, sans_11, digits_16, digits_28, digits_48
   text X Y "UTF-8"           top left of the text; escapes \" \\ and \n (next line)
 The surface is black (index 0) at first. Coordinates are whole pixels up to 2^20 either way, and may lie outside
-the surface. Those of line, thickline, triangle, polygon, boolean and coverage may be decimal; they are rounded to
-the nearest 1/256, halves away from zero. An error says `line N: ...`, nothing is written then, and the exit code
-is 1.)";
+the surface. Those of line, thickline, triangle, polygon, clippoly, boolean and coverage may be decimals or
+fractions such as 7/3; they are rounded to the nearest 1/256, halves away from zero. An error says `line N: ...`,
+nothing is written then, and the exit code is 1.)";
 }
 
 }  // namespace host::draw

@@ -118,6 +118,21 @@ class Interpreter {
     pen_.clip = area;
   }
 
+  void clippoly(Arguments& in) {
+    pen_.window = nullptr;
+    if (in.left() == 1 && in.next_is("none")) {
+      (void)in.word("none");
+      return;
+    }
+    Polygon polygon;
+    polygon.rule = in.next_is("nonzero") ? FillRule::non_zero : FillRule::even_odd;
+    if (in.next_is("nonzero") || in.next_is("evenodd")) (void)in.word("rule");
+    contours(in, polygon);
+    const auto window = PolygonWindow::create(polygon, canvas_->size());
+    if (!window.ok()) throw Failure(in_words(window.status()));
+    pen_.window = window.value();
+  }
+
   void font(Arguments& in) {
     const std::string& word = in.word("name").text;
     for (const auto& [name, candidate] : fonts)
@@ -318,6 +333,7 @@ class Interpreter {
       {"colour", &Interpreter::colour},
       {"mode", &Interpreter::mode},
       {"clip", &Interpreter::clip},
+      {"clippoly", &Interpreter::clippoly},
       {"font", &Interpreter::font},
       {"method", &Interpreter::method},
       {"pixel", &Interpreter::pixel},

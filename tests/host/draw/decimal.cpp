@@ -47,6 +47,42 @@ TEST(ParseSubpixel, HalvesGoAwayFromZeroHoweverManyDigitsTellThemApart) {
     EXPECT_EQ(parse_subpixel(bad), std::nullopt) << bad;
 }
 
+TEST(ParseSubpixel, TakesFractionsOfWholeNumbers) {
+  EXPECT_EQ(parse_subpixel("7/3"), 597);  // 597.33
+  EXPECT_EQ(parse_subpixel("-7/3"), -597);
+  EXPECT_EQ(parse_subpixel("+5/2"), 640);
+  EXPECT_EQ(parse_subpixel("6/3"), 512);
+  EXPECT_EQ(parse_subpixel("0/5"), 0);
+  EXPECT_EQ(parse_subpixel("1/512"), 1);  // exactly half of 1/256
+  EXPECT_EQ(parse_subpixel("-1/512"), -1);
+  EXPECT_EQ(parse_subpixel("1/513"), 0);
+  EXPECT_EQ(parse_subpixel("1048576/1"), 1 << 28);
+  EXPECT_EQ(parse_subpixel("99999999999999999999/1"), INT_MAX);
+  EXPECT_EQ(parse_subpixel("-99999999999999999999/2"), -INT_MAX);
+  EXPECT_EQ(parse_subpixel("1" + std::string(500, '0') + "/" + "2" + std::string(500, '0')), 128);
+  EXPECT_EQ(parse_subpixel("1" + std::string(500, '0') + "/512" + std::string(500, '0')), 1);
+  EXPECT_EQ(parse_subpixel("1" + std::string(500, '0') + "/512" + std::string(499, '0') + "1"), 0);
+  for (const char* bad : {"/", "7/", "/3", "7/0", "7/-3", "7/+3", "7//3", "7/3/1", "7.5/3", "7/3.5", "-/3"})
+    EXPECT_EQ(parse_subpixel(bad), std::nullopt) << bad;
+  EXPECT_EQ(parse_whole("6/3"), std::nullopt);
+}
+
+// |256 * n/d - v| <= 1/2, and v further from zero where both sides are equal.
+TEST(ParseSubpixel, IsTheNearest256thOfEveryFraction) {
+  oracle::Random random(32);
+  for (int round = 0; round < 20000; ++round) {
+    const std::int64_t lower = random.between(1, round % 2 == 0 ? 2048 : INT_MAX);
+    const std::int64_t upper = random.between(0, round % 3 == 0 ? 5000 : INT_MAX);
+    const std::string text = std::to_string(upper) + "/" + std::to_string(lower);
+    const std::optional<int> got = parse_subpixel(text);
+    ASSERT_TRUE(got.has_value()) << text;
+    const std::int64_t error = 2 * (256 * upper - *got * lower);  // in units of 1 / (2 * lower)
+    const bool nearest = (error < lower && error >= -lower) || *got == INT_MAX;
+    if (!nearest) FAIL() << random.seed_text() << ": " << text << " became " << *got;
+    EXPECT_EQ(parse_subpixel("-" + text), -*got);
+  }
+}
+
 // Nearest by definition: |256 * v - n| <= 1/2, and n further from zero where both sides are equal.
 TEST(ParseSubpixel, IsTheNearest256thOfEveryDecimalWithUpToNineDigits) {
   oracle::Random random(31);

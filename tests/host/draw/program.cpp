@@ -161,6 +161,12 @@ TEST(Draw, TriangleTakesDecimals) {
   });
 }
 
+TEST(Draw, TriangleTakesFractions) {
+  expect_pixels("triangle 7/3 9/4 40 5 -769/256 155/4", [](int x, int y) {
+    return oracle::in_triangle({597, 576}, {10240, 1280}, {-769, 9920}, x, y);
+  });
+}
+
 TEST(Draw, BooleanDrawsTheExactPixelsAndPrintsTheExactResult) {
   const oracle::Contours a{{{256, 256}, {10240, 1280}, {5120, 9216}}};
   const oracle::Contours b{{{5120, 256}, {7936, 9216}, {512, 3584}, {9984, 3584}, {2304, 9216}}};
@@ -273,6 +279,30 @@ TEST(Draw, ClipRestrictsAndNoneResets) {
   expect_pixels("clip 100 100 4 3\nfillrect 0 0 50 40", [](int, int) { return false; });
 }
 
+TEST(Draw, ClippolyRestrictsEveryPrimitiveToThePolygon) {
+  const oracle::Contours star{{{5120, 256}, {7936, 9216}, {512, 3584}, {9984, 3584}, {2304, 9216}}};
+  const std::string vertices = " 20 1 31 36 2 14 39 14 9 36\n";
+  for (const std::string rule : {"", " evenodd", " nonzero"}) {
+    const auto in = [&](int x, int y) { return oracle::in_polygon(star, rule != " nonzero", x, y); };
+    expect_pixels("clippoly" + rule + vertices + "fillrect 0 0 50 40", in);
+    expect_pixels("clip 10 5 14 30\nclippoly" + rule + vertices + "fillrect 0 0 50 40",
+                  [&](int x, int y) { return in(x, y) && x >= 10 && x < 24 && y >= 5 && y < 35; });
+    expect_pixels("clippoly" + rule + vertices + "line 2 3 45 37",
+                  [&](int x, int y) { return in(x, y) && oracle::on_line(2, 3, 45, 37, x, y); });
+    expect_pixels("clippoly" + rule + vertices + "circle 20 18 13",
+                  [&](int x, int y) { return in(x, y) && oracle::on_circle(13, x - 20, y - 18); });
+    expect_pixels("clippoly" + rule + vertices + "flood 4 0 0", in);
+  }
+  const oracle::Contours two{{{256, 256}, {5120, 256}, {1963, 9216}},
+                             {{7680, 0}, {12800, 128}, {12800, 5120}}};
+  expect_pixels("clippoly 1 1 20 1 23/3 36 / 30 0 50 0.5 50 20\nflood 8 5 5",
+                [&](int x, int y) { return oracle::in_polygon(two, true, x, y); });
+  expect_pixels("clippoly 0 0 9 0 0 9\nclippoly none\nfillrect 0 0 50 40", [](int, int) { return true; });
+  expect_pixels("clippoly 0 0 9 0 0 9\nclippoly 0 0 1 0 1 1 0 1\ndisc 0 0 9",
+                [](int x, int y) { return x == 0 && y == 0; });
+  expect_pixels("clippoly 60 0 90 0 60 90\ndisc 0 0 9", [](int, int) { return false; });
+}
+
 TEST(Draw, ColourAndModeDecideWhatIsStored) {
   const auto canvas = draw_program(
       "surface 4 1 2\n"
@@ -363,6 +393,12 @@ TEST(DrawErrors, SayTheLineTheCommandAndWhatIsWrong) {
       {"S\nclip 1 2 3", "line 2: clip: height is missing"},
       {"S\nclip none 1", "line 2: clip: x must be a number, not 'none'"},
       {"S\nclip 2000000 0 1 1", "line 2: clip: rectangle out of domain"},
+      {"S\nclippoly 0 0 1 0", "line 2: clippoly: a contour needs 3 vertices, this has 2"},
+      {"S\nclippoly none 1", "line 2: clippoly: x must be a number, not 'none'"},
+      {"S\nclippoly oddeven 0 0 1 0 1 1", "line 2: clippoly: x must be a number, not 'oddeven'"},
+      {"S\nclippoly 0 0 1 0 1 -1048577", "line 2: clippoly: vertices out of domain"},
+      {"S\npixel 4/2 1", "line 2: pixel: x must be a whole number, not '4/2'"},
+      {"S\ntriangle 0 0 1 0 1 1/0", "line 2: triangle: y must be a number, not '1/0'"},
       {"S\npixel 1 1.5", "line 2: pixel: y must be a whole number, not '1.5'"},
       {"S\npixel 1 \"1\"", "line 2: pixel: y must be a number, not '1'"},
       {"S\npixel 1048577 0", "line 2: pixel: point out of domain"},

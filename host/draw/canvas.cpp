@@ -10,6 +10,7 @@
 #include <intaglio/raster/dash.hpp>
 #include <intaglio/raster/disc.hpp>
 #include <intaglio/raster/ellipse.hpp>
+#include <intaglio/raster/ellipse_arc.hpp>
 #include <intaglio/raster/flood.hpp>
 #include <intaglio/raster/line.hpp>
 #include <intaglio/raster/pixel.hpp>
@@ -94,9 +95,19 @@ struct Drawer {
     return raster::fill_ring(sink, r.centre, r.inner_radius, r.outer_radius);
   }
   Status operator()(const Arc& a) const {
-    if (a.shape == Arc::Shape::pie) return raster::fill_pie(sink, a.centre, a.radius, a.start, a.sweep);
-    if (a.shape == Arc::Shape::chord) return raster::fill_chord(sink, a.centre, a.radius, a.start, a.sweep);
+    if (a.shape == SweptShape::pie) return raster::fill_pie(sink, a.centre, a.radius, a.start, a.sweep);
+    if (a.shape == SweptShape::chord) return raster::fill_chord(sink, a.centre, a.radius, a.start, a.sweep);
     return raster::draw_arc(sink, a.centre, a.radius, a.start, a.sweep);
+  }
+  Status operator()(const EllipseArc& a) const {
+    switch (a.shape) {
+      case SweptShape::pie:
+        return raster::fill_ellipse_pie(sink, a.centre, a.x_radius, a.y_radius, a.start, a.sweep);
+      case SweptShape::chord:
+        return raster::fill_ellipse_chord(sink, a.centre, a.x_radius, a.y_radius, a.start, a.sweep);
+      default:
+        return raster::draw_ellipse_arc(sink, a.centre, a.x_radius, a.y_radius, a.start, a.sweep);
+    }
   }
   Status operator()(const RoundRectangle& r) const {
     return r.filled ? raster::fill_round_rect(sink, r.area, r.radii)

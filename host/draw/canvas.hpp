@@ -68,12 +68,21 @@ struct Ring {
   int inner_radius = 0;
   int outer_radius = 0;
 };
+enum class SweptShape : std::uint8_t { arc, pie, chord };
 struct Arc {
   linear::Point centre;
   int radius = 0;
   intaglio::number::Angle start;
   int sweep = 0;
-  enum class Shape { arc, pie, chord } shape{};
+  SweptShape shape{};
+};
+struct EllipseArc {
+  linear::Point centre;
+  int x_radius = 0;
+  int y_radius = 0;
+  intaglio::number::Angle start;
+  int sweep = 0;
+  SweptShape shape{};
 };
 struct RoundRectangle {
   linear::Rect area;
@@ -106,7 +115,7 @@ struct Text {
 };
 using Primitive =
     std::variant<Pixel, Line, Dashes, ThickLine, Rectangle, Circle, DiametricCircle, Ellipse, Ring, Arc,
-                 RoundRectangle, Triangle, Polygon, Combination, Coverage, FloodFill, Text>;
+                 EllipseArc, RoundRectangle, Triangle, Polygon, Combination, Coverage, FloodFill, Text>;
 
 /// The pixels of a polygon on a canvas, with the memory they lie in.
 class PolygonWindow {

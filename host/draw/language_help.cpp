@@ -27,6 +27,8 @@ std::string_view language_help() {
   arc X Y R START SWEEP      part of a circle, in 1/65536 turn, clockwise from three o'clock, the larger angle left
                              out; negative sweeps go the other way, a turn or more is all. pie: filled to the
                              centre; chord: filled to the line between the ends
+  ellipsearc X Y RX RY START SWEEP
+                             the same of an ellipse, angles as seen from the centre; ellipsepie, ellipsechord
   roundrect X Y W H R        outline; fillroundrect: filled. Four radii instead of R go clockwise from top left
   triangle X Y X Y X Y       filled
   polygon evenodd|nonzero X Y X Y X Y ... [/ X Y ...]

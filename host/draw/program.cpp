@@ -194,9 +194,12 @@ class Interpreter {
     const int inner_radius = in.whole("inner radius");
     pending_ = Ring{centre, inner_radius, in.whole("outer radius")};
   }
-  void arc(Arguments& in) { pending_ = swept(in, Arc::Shape::arc); }
-  void pie(Arguments& in) { pending_ = swept(in, Arc::Shape::pie); }
-  void chord(Arguments& in) { pending_ = swept(in, Arc::Shape::chord); }
+  void arc(Arguments& in) { pending_ = swept(in, SweptShape::arc); }
+  void pie(Arguments& in) { pending_ = swept(in, SweptShape::pie); }
+  void chord(Arguments& in) { pending_ = swept(in, SweptShape::chord); }
+  void ellipsearc(Arguments& in) { pending_ = swept_oval(in, SweptShape::arc); }
+  void ellipsepie(Arguments& in) { pending_ = swept_oval(in, SweptShape::pie); }
+  void ellipsechord(Arguments& in) { pending_ = swept_oval(in, SweptShape::chord); }
   void roundrect(Arguments& in) { pending_ = rounded(in, false); }
   void fillroundrect(Arguments& in) { pending_ = rounded(in, true); }
   void triangle(Arguments& in) {
@@ -299,11 +302,18 @@ class Interpreter {
     const int x_radius = in.whole("x radius");
     return {centre, x_radius, in.whole("y radius"), filled};
   }
-  static Arc swept(Arguments& in, Arc::Shape shape) {
+  static Arc swept(Arguments& in, SweptShape shape) {
     const Point centre = in.point("x", "y");
     const int radius = in.whole("radius");
     const auto start = intaglio::number::Angle::from_steps(in.whole("start"));
     return {centre, radius, start, in.whole("sweep"), shape};
+  }
+  static EllipseArc swept_oval(Arguments& in, SweptShape shape) {
+    const Point centre = in.point("x", "y");
+    const int x_radius = in.whole("x radius");
+    const int y_radius = in.whole("y radius");
+    const auto start = intaglio::number::Angle::from_steps(in.whole("start"));
+    return {centre, x_radius, y_radius, start, in.whole("sweep"), shape};
   }
   static RoundRectangle rounded(Arguments& in, bool filled) {
     const linear::Rect area = in.rectangle();
@@ -352,6 +362,9 @@ class Interpreter {
       {"arc", &Interpreter::arc},
       {"pie", &Interpreter::pie},
       {"chord", &Interpreter::chord},
+      {"ellipsearc", &Interpreter::ellipsearc},
+      {"ellipsepie", &Interpreter::ellipsepie},
+      {"ellipsechord", &Interpreter::ellipsechord},
       {"roundrect", &Interpreter::roundrect},
       {"fillroundrect", &Interpreter::fillroundrect},
       {"triangle", &Interpreter::triangle},

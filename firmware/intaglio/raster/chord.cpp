@@ -3,9 +3,8 @@
 
 namespace intaglio::raster::detail {
 
-ChordSide::ChordSide(int radius, number::Angle start, int sweep) noexcept
-    : from_(Ray(start).at(radius)), along_(Ray(start + number::Angle::from_steps(sweep)).at(radius)) {
-  along_ = {along_.x - from_.x, along_.y - from_.y};
+ChordSide::ChordSide(linear::Point from, linear::Point to, number::Angle start, int sweep) noexcept
+    : from_(from), along_{to.x - from.x, to.y - from.y} {
   // The arc is on the side where the cross product is negative, clockwise; the other way, turn the line
   // round.
   if (sweep < 0) along_ = {-along_.x, -along_.y};

@@ -31,8 +31,13 @@ namespace detail {
 /// The side of a chord's line on which its arc is; around the centre.
 class ChordSide {
  public:
-  /// Precondition: 0 < |sweep| < a turn, the radius is in the domain.
-  ChordSide(int radius, number::Angle start, int sweep) noexcept;
+  /// The line from `from` to `to`, where the arc from `start` through `sweep` ends. Precondition: 0 < |sweep|
+  /// < a turn, the points are in the domain.
+  ChordSide(linear::Point from, linear::Point to, number::Angle start, int sweep) noexcept;
+  /// The chord of a circle. Precondition: as above, and the radius is in the domain.
+  ChordSide(int radius, number::Angle start, int sweep) noexcept
+      : ChordSide(Ray(start).at(radius), Ray(start + number::Angle::from_steps(sweep)).at(radius), start,
+                  sweep) {}
   [[nodiscard]] bool holds(int dx, int dy) const noexcept {
     const std::int64_t cross =
         std::int64_t{along_.x} * (dy - from_.y) - std::int64_t{along_.y} * (dx - from_.x);

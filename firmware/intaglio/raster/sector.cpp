@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include <intaglio/number/long_division.hpp>
 #include <intaglio/number/mul_div.hpp>
 #include <intaglio/number/product.hpp>
+#include <intaglio/number/root.hpp>
 #include <intaglio/raster/sector.hpp>
 
 namespace intaglio::raster::detail {
@@ -69,8 +71,35 @@ int Ray::same_until(int begin, int end, int dy) const noexcept {
 }
 
 linear::Point Ray::at(int distance) const noexcept {
-  const auto along = static_cast<int>(multiply(static_cast<std::uint64_t>(distance), cosine_));
-  const auto across = static_cast<int>(multiply(static_cast<std::uint64_t>(distance), sine_));
+  return turned(static_cast<int>(multiply(static_cast<std::uint64_t>(distance), cosine_)),
+                static_cast<int>(multiply(static_cast<std::uint64_t>(distance), sine_)));
+}
+
+// Along the ray (c, s) the ellipse is 1 / sqrt((c/a)^2 + (s/b)^2) away, so at a*u/l and b*v/l, where u = b*c,
+// v = a*s and l = sqrt(u^2 + v^2). u and v are kept to 31 bits of the larger, so u/l and v/l to 2^-29 and the
+// place to 2^-9.
+linear::Point Ray::on_ellipse(int x_radius, int y_radius) const noexcept {
+  if (x_radius == y_radius) return at(x_radius);
+  const bool odd = (quadrant_ & 1) != 0;  // the first axis of odd quadrants is y
+  const auto a = static_cast<std::uint64_t>(odd ? y_radius : x_radius);
+  const auto b = static_cast<std::uint64_t>(odd ? x_radius : y_radius);
+  std::uint64_t u = multiply(b << 40U, cosine_);
+  std::uint64_t v = multiply(a << 40U, sine_);
+  if (u == 0 && v == 0) return at(static_cast<int>(a));
+  while (u < std::uint64_t{1} << 60U && v < std::uint64_t{1} << 60U) {
+    u <<= 1U;
+    v <<= 1U;
+  }
+  u >>= 30U;
+  v >>= 30U;
+  const std::uint32_t l = number::isqrt(u * u + v * v);
+  const auto nearest = [l](std::uint64_t n) {
+    return static_cast<int>(number::long_divide(n + l / 2, l).quotient);
+  };
+  return turned(nearest(a * u), nearest(b * v));
+}
+
+linear::Point Ray::turned(int along, int across) const noexcept {
   switch (quadrant_) {
     case 0:
       return {along, across};

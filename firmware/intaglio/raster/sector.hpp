@@ -54,8 +54,15 @@ class Ray {
   [[nodiscard]] int same_until(int begin, int end, int dy) const noexcept;
   /// The pixel nearest to the ray's point at this distance (0..2^20) from the centre, counted from there.
   [[nodiscard]] linear::Point at(int distance) const noexcept;
+  /// The pixel nearest to where the ray meets the ellipse with these half axes (0..2^20) around the centre,
+  /// counted from there; where the ellipse is a straight line that the ray runs along, its end. The place is
+  /// known to 1/256 pixel; on a circle it is `at`.
+  [[nodiscard]] linear::Point on_ellipse(int x_radius, int y_radius) const noexcept;
 
  private:
+  /// The place that is so far along the quadrant's first axis and its second, as columns and rows.
+  [[nodiscard]] linear::Point turned(int along, int across) const noexcept;
+
   int quadrant_;
   std::uint64_t cosine_ = std::uint64_t{1} << 62U;  // within the quadrant, in 2^-62
   std::uint64_t sine_ = 0;

@@ -113,6 +113,7 @@ TEST_F(DrawTool, HelpNamesEveryCommand) {
                            "arc ",
                            "pie",
                            "chord",
+                           "ellipsearc ",
                            "roundrect ",
                            "fillroundrect",
                            "triangle ",

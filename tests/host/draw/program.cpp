@@ -141,6 +141,19 @@ TEST(Draw, Chord) {
   });
 }
 
+TEST(Draw, PartsOfEllipses) {
+  const auto in = [](int x, int y) { return oracle::in_oval(34, 18, 2 * (x - 20), 2 * (y - 18)); };
+  expect_pixels("ellipsearc 20 18 17 9 60000 20000", [](int x, int y) {
+    return oracle::on_oval(34, 18, 2 * (x - 20), 2 * (y - 18)) &&
+           oracle::in_sweep(x - 20, y - 18, 60000, 20000);
+  });
+  expect_pixels("ellipsepie 20 18 17 9 5000 -30000",
+                [&](int x, int y) { return in(x, y) && oracle::in_sweep(x - 20, y - 18, 5000, -30000); });
+  // From the right end to the lower one: what is not on the centre's side of the line between them.
+  expect_pixels("ellipsechord 20 18 17 9 0 16384",
+                [&](int x, int y) { return in(x, y) && (x - 20) * 9 + (y - 18) * 17 >= 17 * 9; });
+}
+
 TEST(Draw, RoundRectangles) {
   // A side of 13 leaves room for a radius of 6: two half discs with a rectangle between them.
   const auto in = [](int x, int y) {

@@ -2,6 +2,7 @@
 #include <intaglio/image/surface.hpp>
 #include <intaglio/raster/coverage.hpp>
 #include <tests/oracle/coverage.hpp>
+#include <tests/oracle/level_sink.hpp>
 #include <tests/oracle/random.hpp>
 
 #include <climits>
@@ -29,41 +30,10 @@ using intaglio::raster::FillRule;
 using intaglio::raster::RampCoverage;
 using oracle::Contour;
 using oracle::Contours;
+using oracle::LevelSink;
 using oracle::Random;
 
 constexpr int limit = 1 << 28;
-
-/// Remembers the levels, and what broke the contract.
-class LevelSink {
- public:
-  explicit LevelSink(const Rect& clip)
-      : clip_(clip), levels_(static_cast<std::size_t>(clip.width) * static_cast<std::size_t>(clip.height)) {}
-  [[nodiscard]] const Rect& clip() const { return clip_; }
-  void span(int y, int x_begin, int x_end, int coverage) {
-    ++spans_;
-    const bool inside = y >= clip_.y && y < clip_.y + clip_.height && x_begin >= clip_.x && x_begin < x_end &&
-                        x_end <= clip_.x + clip_.width;
-    bad_ |= !inside || coverage < 1 || coverage > 255;
-    if (!inside) return;
-    for (int x = x_begin; x < x_end; ++x) {
-      bad_ |= level(x, y) != 0;
-      levels_[index(x, y)] = coverage;
-    }
-  }
-  [[nodiscard]] int level(int x, int y) const { return levels_[index(x, y)]; }
-  [[nodiscard]] bool bad() const { return bad_; }
-  [[nodiscard]] int spans() const { return spans_; }
-
- private:
-  [[nodiscard]] std::size_t index(int x, int y) const {
-    return static_cast<std::size_t>(y - clip_.y) * static_cast<std::size_t>(clip_.width) +
-           static_cast<std::size_t>(x - clip_.x);
-  }
-  Rect clip_;
-  std::vector<int> levels_;
-  int spans_ = 0;
-  bool bad_ = false;
-};
 
 std::string text(const Contours& contours) {
   std::string out;

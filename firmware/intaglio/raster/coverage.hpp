@@ -34,6 +34,7 @@
 #include <intaglio/linear/point.hpp>
 #include <intaglio/linear/rect.hpp>
 #include <intaglio/raster/contours.hpp>
+#include <intaglio/raster/coverage_step.hpp>
 #include <intaglio/raster/solid.hpp>
 #include <intaglio/status.hpp>
 
@@ -179,9 +180,7 @@ class RampCoverage {
   [[nodiscard]] constexpr const linear::Rect& clip() const noexcept { return clip_; }
   /// The index for a level of 0 to 255.
   [[nodiscard]] constexpr unsigned index(int coverage) const noexcept {
-    // Division by 255, rounded, without a division: exact for products up to 255 * 255. 255 is odd: no ties.
-    const unsigned product = static_cast<unsigned>(coverage) * last_ + 128U;
-    return first_ + ((product + (product >> 8U)) >> 8U);
+    return first_ + coverage_step(coverage, last_);
   }
   /// Writes the pixels x_begin .. x_end-1 of row y. Precondition: they are inside the clip; x_begin < x_end.
   void span(int y, int x_begin, int x_end, int coverage) const noexcept {

@@ -15,10 +15,12 @@
 
 namespace oracle {
 
+/// Vertices (x, y) in 1/256 pixel.
+using RationalContour = std::vector<std::pair<mpq_class, mpq_class>>;
+
 /// Cuts a contour to the places where side * (coordinate - at) >= 0; coordinates as (x, y).
-inline std::vector<std::pair<mpq_class, mpq_class>> cut(
-    const std::vector<std::pair<mpq_class, mpq_class>>& contour, bool along_x, int at, int side) {
-  std::vector<std::pair<mpq_class, mpq_class>> out;
+inline RationalContour cut(const RationalContour& contour, bool along_x, int at, int side) {
+  RationalContour out;
   const auto distance = [&](const auto& p) {
     return mpq_class(((along_x ? p.first : p.second) - at) * side);
   };
@@ -36,23 +38,30 @@ inline std::vector<std::pair<mpq_class, mpq_class>> cut(
   return out;
 }
 
-/// The integral of the winding number over the square of pixel (x, y), in pixels.
-inline mpq_class winding_area(const Contours& contours, int x, int y) {
+/// The signed area of a contour in the square of pixel (x, y), in pixels.
+inline mpq_class signed_area(RationalContour part, int x, int y) {
+  part = cut(part, true, 256 * x - 128, 1);
+  part = cut(part, true, 256 * x + 128, -1);
+  part = cut(part, false, 256 * y - 128, 1);
+  part = cut(part, false, 256 * y + 128, -1);
   mpq_class twice = 0;
-  for (const Contour& contour : contours) {
-    std::vector<std::pair<mpq_class, mpq_class>> part;
-    for (const auto p : contour) part.emplace_back(p.x, p.y);
-    part = cut(part, true, 256 * x - 128, 1);
-    part = cut(part, true, 256 * x + 128, -1);
-    part = cut(part, false, 256 * y - 128, 1);
-    part = cut(part, false, 256 * y + 128, -1);
-    for (std::size_t i = 0; i < part.size(); ++i) {
-      const auto& a = part[i];
-      const auto& b = part[(i + 1) % part.size()];
-      twice += a.first * b.second - b.first * a.second;
-    }
+  for (std::size_t i = 0; i < part.size(); ++i) {
+    const auto& a = part[i];
+    const auto& b = part[(i + 1) % part.size()];
+    twice += a.first * b.second - b.first * a.second;
   }
   return twice / (2 * 256 * 256);
+}
+
+/// The integral of the winding number over the square of pixel (x, y), in pixels.
+inline mpq_class winding_area(const Contours& contours, int x, int y) {
+  mpq_class sum = 0;
+  for (const Contour& contour : contours) {
+    RationalContour part;
+    for (const auto p : contour) part.emplace_back(p.x, p.y);
+    sum += signed_area(std::move(part), x, y);
+  }
+  return sum;
 }
 
 /// The same folded by the rule: min(|w|, 1), or the distance from the nearest even number.

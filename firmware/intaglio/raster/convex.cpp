@@ -8,12 +8,7 @@
 
 namespace intaglio::raster {
 
-namespace {
-
-/// Which way a contour turns: 1 clockwise on screen, -1 the other way, 0 no way (no area), 2 both ways or
-/// more than once around.
-int turning(const std::span<const linear::SubPoint>& vertices) noexcept {
-  constexpr int not_convex = 2;
+int detail::turning(const std::span<const linear::SubPoint>& vertices) noexcept {
   linear::SubPoint step{};  // the last edge that has a length
   linear::SubPoint from{};
   int turn = 0;
@@ -43,9 +38,9 @@ int turning(const std::span<const linear::SubPoint>& vertices) noexcept {
   return halves > 2 ? not_convex : turn;
 }
 
-}  // namespace
-
-bool is_convex(const std::span<const linear::SubPoint>& vertices) noexcept { return turning(vertices) != 2; }
+bool is_convex(const std::span<const linear::SubPoint>& vertices) noexcept {
+  return detail::turning(vertices) != detail::not_convex;
+}
 
 namespace detail {
 
@@ -53,7 +48,7 @@ Status ConvexScan::prepare(const std::span<const linear::SubPoint>& vertices) no
   for (const linear::SubPoint& vertex : vertices)
     if (!linear::in_domain(vertex)) return {Error::out_of_domain, Argument::vertices};
   const int turn = turning(vertices);
-  if (turn == 2) return {Error::malformed, Argument::vertices};
+  if (turn == not_convex) return {Error::malformed, Argument::vertices};
   if (turn == 0) box_ = {};
   if (box_.empty()) return {};
   linear::SubPoint least = vertices.front();

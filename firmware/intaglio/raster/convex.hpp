@@ -27,6 +27,11 @@ namespace intaglio::raster {
 
 namespace detail {
 
+/// What `turning` says of a contour that turns both ways or goes around more than once.
+inline constexpr int not_convex = 2;
+/// Which way a contour turns: 1 clockwise on screen, -1 the other way, 0 no way (no area), or `not_convex`.
+[[nodiscard]] int turning(const std::span<const linear::SubPoint>& vertices) noexcept;
+
 /// The spans of a convex polygon, row by row.
 class ConvexScan {
  public:

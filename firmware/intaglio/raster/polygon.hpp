@@ -6,11 +6,8 @@
 // centre on an edge counts with what lies to its right, and on a horizontal edge with what lies below (the
 // top-left rule). So a polygon equals any triangulation of it, pixel by pixel, and each pixel is drawn once.
 //
-// A scanline fill: the edges that have visible rows, sorted by first row, wait in one list; those that cross
-// the present row stand in another, sorted by x, and the spans lie where the winding along it isn't zero (or
-// odd). Both lists live in the caller's workspace. What can't be seen costs neither memory nor rows: edges
-// above, below or right of the clip are dropped, edges across its top start on its first row by division, and
-// every chain of edges left of it shrinks to one upright edge at its side, which winds the same.
+// A scanline fill with an edge table and an active edge table in the caller's workspace (winding_scan.hpp):
+// what can't be seen costs neither memory nor rows.
 //
 // Bit budget: edge.hpp; windings and edge counts are below 2^31. Error: none.
 // Textbook: sections 2.5, 2.6.2, 2.6.3, with errata E2 and E3. Worst known inputs: vertices thousands of
@@ -24,24 +21,18 @@
 #include <intaglio/raster/edge.hpp>
 #include <intaglio/raster/row_span.hpp>
 #include <intaglio/raster/sink.hpp>
+#include <intaglio/raster/winding_scan.hpp>
 #include <intaglio/status.hpp>
 
-#include <cstddef>
 #include <cstdint>
 #include <span>
-#include <type_traits>
 
 namespace intaglio::raster {
 
-namespace detail {
-class PolygonScan;
-}
-
 /// One edge in a polygon's workspace: 32 bytes. Its content is the business of `fill_polygon`.
-class PolygonEdge {
+class PolygonEdge : private Edge {
  private:
-  friend class detail::PolygonScan;
-  Edge edge_;
+  friend class detail::WindingScan<PolygonEdge>;
   int row_ = 0;   // first row while it waits
   int end_ = 0;   // 2 * the row after the last, plus 1 if the edge runs upwards
   int next_ = 0;  // index of the next edge in its list
@@ -50,40 +41,17 @@ static_assert(sizeof(PolygonEdge) == 32);
 
 namespace detail {
 
+extern template class WindingScan<PolygonEdge>;
+
 /// The spans of a polygon, row by row.
-class PolygonScan {
+class PolygonScan : public WindingScan<PolygonEdge> {
  public:
-  PolygonScan(FillRule rule, const linear::Rect& clip, const std::span<PolygonEdge>& edges) noexcept;
+  PolygonScan(FillRule rule, const linear::Rect& clip, const std::span<PolygonEdge>& edges) noexcept
+      : WindingScan(winding_mask(rule), clip, edges) {}
 
   /// Takes the polygon in; what a call with an empty workspace needs is `count()`.
   [[nodiscard]] Status prepare(const std::span<const linear::SubPoint>& vertices,
                                const std::span<const int>& contour_lengths) noexcept;
-  /// Edges that have visible rows.
-  [[nodiscard]] std::uint32_t count() const noexcept { return count_; }
-  /// Puts the next span in `span`; false if there is none.
-  [[nodiscard]] bool next(RowSpan& span) noexcept;
-
- private:
-  static constexpr int none = -1;
-
-  void add_contour(const linear::SubPoint* vertices, const linear::SubPoint* end) noexcept;
-  void add_edge(const linear::SubPoint& from, const linear::SubPoint& to) noexcept;
-  [[nodiscard]] PolygonEdge& at(int index) noexcept { return edges_[static_cast<std::size_t>(index)]; }
-  [[nodiscard]] bool inside() const noexcept { return (winding_ & mask_) != 0; }
-  [[nodiscard]] bool before(int a, int b) noexcept;
-  [[nodiscard]] int merged(int a, int b) noexcept;
-  [[nodiscard]] int sorted(int begin, int end) noexcept;
-  [[nodiscard]] bool next_row() noexcept;
-
-  std::span<PolygonEdge> edges_;
-  linear::Rect clip_;
-  int mask_;            // of the winding: which of its bits mean inside; 0 for a rule that isn't one
-  int waiting_ = none;  // sorted by first row, then x
-  int active_ = none;   // sorted by x
-  int cursor_ = none;   // next of the active edges on this row
-  int winding_ = 0;     // left of it
-  int y_ = 0;
-  std::uint32_t count_ = 0;
 };
 
 }  // namespace detail

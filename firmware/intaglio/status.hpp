@@ -59,6 +59,7 @@ enum class Argument : std::uint8_t {
   panel,
   count,
   rule,
+  limit,
 };
 
 /// Success, or one error that names the argument. Four bytes, compares and copies as a word.

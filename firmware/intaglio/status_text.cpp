@@ -89,6 +89,8 @@ const char* to_text(Argument argument) noexcept {
       return "count";
     case Argument::rule:
       return "rule";
+    case Argument::limit:
+      return "limit";
   }
   return "unknown argument";
 }

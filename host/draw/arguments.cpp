@@ -15,6 +15,16 @@ bool Arguments::next_is(std::string_view text) const {
   return !words_.empty() && !words_.front().quoted && words_.front().text == text;
 }
 
+bool Arguments::take(std::string_view text) {
+  if (!next_is(text)) return false;
+  words_ = words_.subspan(1);
+  return true;
+}
+
+void Arguments::fail(std::string_view name, std::string_view choices) {
+  throw Failure(fmt::format("the {} must be {}, not '{}'", name, choices, word(name).text));
+}
+
 const Word& Arguments::word(std::string_view name) {
   if (words_.empty()) throw Failure(fmt::format("{} is missing", name));
   const Word& first = words_.front();

@@ -7,9 +7,12 @@
 #include <intaglio/linear/point.hpp>
 #include <intaglio/linear/rect.hpp>
 
+#include <array>
 #include <cstddef>
 #include <span>
+#include <string>
 #include <string_view>
+#include <utility>
 
 namespace host::draw {
 
@@ -23,8 +26,21 @@ class Arguments {
   /// True if the next word stands without quotes and is this one.
   [[nodiscard]] bool next_is(std::string_view text) const;
 
+  /// Takes the next word if it is this one.
+  [[nodiscard]] bool take(std::string_view text);
   /// The next word as it is.
   const Word& word(std::string_view name);
+  /// One of the words that mean something, as that.
+  template <class T, std::size_t N>
+  T one_of(std::string_view name, const std::array<std::pair<std::string_view, T>, N>& choices) {
+    std::string names;
+    for (std::size_t i = 0; i < N; ++i) {
+      const auto& [choice, meaning] = choices[i];
+      if (take(choice)) return meaning;
+      names.append(i == 0 ? "" : i + 1 == N ? " or " : ", ").append(choice);
+    }
+    fail(name, names);
+  }
   /// A whole number.
   int whole(std::string_view name);
   /// A whole number of low .. high.
@@ -43,6 +59,9 @@ class Arguments {
   void end() const;
 
  private:
+  /// Says what the next word must be.
+  [[noreturn]] void fail(std::string_view name, std::string_view choices);
+
   std::span<const Word> words_;
 };
 

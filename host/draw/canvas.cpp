@@ -16,10 +16,12 @@
 #include <intaglio/raster/pixel.hpp>
 #include <intaglio/raster/polygon_basic.hpp>
 #include <intaglio/raster/polygon_critical.hpp>
+#include <intaglio/raster/polyline.hpp>
 #include <intaglio/raster/rectangle.hpp>
 #include <intaglio/raster/ring.hpp>
 #include <intaglio/raster/round_rect.hpp>
 #include <intaglio/raster/solid.hpp>
+#include <intaglio/raster/thick_line.hpp>
 #include <intaglio/raster/triangle.hpp>
 #include <intaglio/raster/triangle_box.hpp>
 #include <intaglio/text/draw_text.hpp>
@@ -75,6 +77,12 @@ struct Drawer {
   }
   Status operator()(const ThickLine& l) const {
     return raster::draw_thick_line(sink, l.from, l.to, l.width, l.cap);
+  }
+  Status operator()(const Polyline& p) const {
+    const auto needed = raster::polyline_workspace(p.points, p.stroke, sink.clip());
+    if (!needed.ok()) return needed.status();
+    std::vector<raster::StrokeEdge> workspace(needed.value());
+    return raster::draw_polyline(sink, p.points, p.stroke, workspace);
   }
   Status operator()(const Rectangle& r) const {
     return r.filled ? raster::fill_rect(sink, r.area) : raster::draw_rect(sink, r.area);

@@ -10,7 +10,7 @@
 #include <intaglio/raster/polygon.hpp>
 #include <intaglio/raster/polygon_clip.hpp>
 #include <intaglio/raster/round_rect.hpp>
-#include <intaglio/raster/thick_line.hpp>
+#include <intaglio/raster/stroke.hpp>
 #include <intaglio/status.hpp>
 #include <intaglio/text/font.hpp>
 
@@ -42,6 +42,10 @@ struct ThickLine {
   linear::SubPoint from, to;
   int width = 0;  ///< in 1/256 pixel
   intaglio::raster::Cap cap{};
+};
+struct Polyline {
+  std::vector<linear::SubPoint> points;
+  intaglio::raster::Stroke stroke;
 };
 struct Rectangle {
   linear::Rect area;
@@ -114,8 +118,8 @@ struct Text {
   std::string utf8;
 };
 using Primitive =
-    std::variant<Pixel, Line, Dashes, ThickLine, Rectangle, Circle, DiametricCircle, Ellipse, Ring, Arc,
-                 EllipseArc, RoundRectangle, Triangle, Polygon, Combination, Coverage, FloodFill, Text>;
+    std::variant<Pixel, Line, Dashes, ThickLine, Polyline, Rectangle, Circle, DiametricCircle, Ellipse, Ring,
+                 Arc, EllipseArc, RoundRectangle, Triangle, Polygon, Combination, Coverage, FloodFill, Text>;
 
 /// The pixels of a polygon on a canvas, with the memory they lie in.
 class PolygonWindow {

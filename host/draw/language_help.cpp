@@ -17,8 +17,12 @@ std::string_view language_help() {
   pixel X Y
   line X0 Y0 X1 Y1           both ends included
   dash ON OFF X0 Y0 X1 Y1    of that line ON pixels and OFF not, in turn, from X0 Y0 on
-  thickline X0 Y0 X1 Y1 WIDTH [butt|square]
-                             WIDTH across the line, whichever way it runs; square ends stick out by half of it
+  thickline X0 Y0 X1 Y1 WIDTH [butt|square|round]
+                             WIDTH across the line, whichever way it runs; square and round ends stick out by half
+                             of it
+  polyline WIDTH miter|bevel|round [butt|square|round] [closed] [limit L] X Y X Y ...
+                             thick lines joined, each pixel once; a miter that reaches further than L (1..16, at
+                             first 4) halves of WIDTH becomes a bevel
   rect X Y W H               outline; fillrect: filled
   circle X Y R               outline; disc: filled, outline included
   evencircle X Y D           circle with the diameter D, even or odd, and its top left at X Y; evendisc: filled
@@ -44,9 +48,9 @@ std::string_view language_help() {
   font NAME                  fixed_6x13 (the default), fixed_5x8, sans_11, digits_16, digits_28, digits_48
   text X Y "UTF-8"           top left of the text; escapes \" \\ and \n (next line)
 The surface is black (index 0) at first. Coordinates are whole pixels up to 2^20 either way, and may lie outside
-the surface. Those of line, thickline, triangle, polygon, clippoly, boolean and coverage may be decimals or
-fractions such as 7/3; they are rounded to the nearest 1/256, halves away from zero. An error says `line N: ...`,
-nothing is written then, and the exit code is 1.)";
+the surface. Those of line, thickline, polyline, triangle, polygon, clippoly, boolean and coverage may be decimals
+or fractions such as 7/3; they are rounded to the nearest 1/256, halves away from zero. An error says
+`line N: ...`, nothing is written then, and the exit code is 1.)";
 }
 
 }  // namespace host::draw

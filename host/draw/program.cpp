@@ -28,7 +28,9 @@ namespace host::draw {
 namespace {
 
 using intaglio::Status;
+using intaglio::raster::Cap;
 using intaglio::raster::FillRule;
+using intaglio::raster::Join;
 using intaglio::text::Font;
 using linear::Point;
 using linear::SubPoint;
@@ -49,6 +51,11 @@ constexpr std::array<std::pair<std::string_view, PolygonMethod>, 3> polygon_meth
     {{"active", PolygonMethod::active},
      {"basic", PolygonMethod::basic},
      {"critical", PolygonMethod::critical}}};
+
+constexpr auto joins = std::to_array<std::pair<std::string_view, Join>>(
+    {{"miter", Join::miter}, {"bevel", Join::bevel}, {"round", Join::round}});
+constexpr auto caps = std::to_array<std::pair<std::string_view, Cap>>(
+    {{"butt", Cap::butt}, {"square", Cap::square}, {"round", Cap::round}});
 
 /// What is wrong, in the library's words.
 std::string in_words(Status status) {
@@ -172,14 +179,22 @@ class Interpreter {
     pending_ = Dashes{on, off, from, in.point("x1", "y1")};
   }
   void thickline(Arguments& in) {
-    using intaglio::raster::Cap;
     const SubPoint from = in.subpoint("x0", "y0");
     const SubPoint to = in.subpoint("x1", "y1");
     const int width = in.subpixel("width");
-    const std::string cap = in.left() > 0 ? in.word("cap").text : "butt";
-    if (cap != "butt" && cap != "square")
-      throw Failure(fmt::format("the cap must be butt or square, not '{}'", cap));
-    pending_ = ThickLine{from, to, width, cap == "butt" ? Cap::butt : Cap::square};
+    pending_ = ThickLine{from, to, width, in.left() > 0 ? in.one_of("cap", caps) : Cap::butt};
+  }
+  void polyline(Arguments& in) {
+    Polyline line;
+    line.stroke.width = in.subpixel("width");
+    line.stroke.join = in.one_of("join", joins);
+    for (const auto& [name, cap] : caps)
+      if (in.take(name)) line.stroke.cap = cap;
+    line.stroke.closed = in.take("closed");
+    if (in.take("limit")) line.stroke.miter_limit = in.subpixel("limit");
+    do line.points.push_back(in.subpoint());
+    while (in.left() > 0);
+    pending_ = std::move(line);
   }
   void rect(Arguments& in) { pending_ = Rectangle{in.rectangle(), false}; }
   void fillrect(Arguments& in) { pending_ = Rectangle{in.rectangle(), true}; }
@@ -350,6 +365,7 @@ class Interpreter {
       {"line", &Interpreter::line},
       {"dash", &Interpreter::dash},
       {"thickline", &Interpreter::thickline},
+      {"polyline", &Interpreter::polyline},
       {"rect", &Interpreter::rect},
       {"fillrect", &Interpreter::fillrect},
       {"circle", &Interpreter::circle},

@@ -2,9 +2,9 @@
 #include <intaglio/image/surface.hpp>
 #include <intaglio/raster/solid.hpp>
 #include <intaglio/raster/thick_line.hpp>
-#include <tests/oracle/polygon.hpp>
 #include <tests/oracle/random.hpp>
 #include <tests/oracle/recording_sink.hpp>
+#include <tests/oracle/stroke.hpp>
 
 #include <climits>
 #include <gtest/gtest.h>
@@ -25,7 +25,8 @@ using intaglio::linear::SubPoint;
 using intaglio::raster::Cap;
 using intaglio::raster::draw_thick_line;
 using oracle::RecordingSink;
-__extension__ using Wide = __int128;
+
+constexpr std::array caps{Cap::butt, Cap::square, Cap::round};
 
 struct Thick {
   SubPoint a, b;
@@ -35,51 +36,21 @@ struct Thick {
 
 std::string text(const Thick& t) {
   return "(" + std::to_string(t.a.x) + "," + std::to_string(t.a.y) + ")-(" + std::to_string(t.b.x) + "," +
-         std::to_string(t.b.y) + ")/256 width " + std::to_string(t.width) +
-         (t.cap == Cap::square ? " square" : " butt");
+         std::to_string(t.b.y) + ")/256 width " + std::to_string(t.width) + " cap " +
+         std::to_string(static_cast<int>(t.cap));
 }
 
-// The integer nearest to d * w / (2 * sqrt(l2)), found by halving: of v, (2v - 1)^2 * l2 <= (d*w)^2.
-int nearest_part(long d, long w, Wide l2) {
-  const long size = d < 0 ? -d : d;
-  long low = 0;
-  long high = w;
-  while (low < high) {
-    const long v = low + (high - low + 1) / 2;
-    if (Wide{2 * v - 1} * (2 * v - 1) * l2 <= Wide{size} * w * (Wide{size} * w))
-      low = v;
-    else
-      high = v - 1;
-  }
-  return static_cast<int>(d < 0 ? -low : low);
-}
-
-// The corners by exact comparison of squares. Widths up to 4096 pixels: squares stay below 2^99.
-oracle::Contour corners(const Thick& t) {
-  long dx = long{t.b.x} - t.a.x;
-  const long dy = long{t.b.y} - t.a.y;
-  if (dx == 0 && dy == 0) dx = 1;
-  const Wide l2 = Wide{dx} * dx + Wide{dy} * dy;
-  const int x = nearest_part(dx, t.width, l2);
-  const int y = nearest_part(dy, t.width, l2);
-  const int out = t.cap == Cap::square ? 1 : 0;
-  return {{t.a.x - out * x - y, t.a.y - out * y + x},
-          {t.b.x + out * x - y, t.b.y + out * y + x},
-          {t.b.x + out * x + y, t.b.y + out * y - x},
-          {t.a.x - out * x + y, t.a.y - out * y - x}};
-}
-
-// What is wrong in this window; empty if each pixel inside the parallelogram of the corners is drawn once,
-// and no other.
+// What is wrong in this window; empty if each pixel of the parallelogram and its caps is drawn once, and no
+// other.
 std::string fault(const Thick& t, RecordingSink& sink) {
   sink.clear();
-  const oracle::Contours contours{corners(t)};
+  const oracle::StrokeArea area({t.a, t.b}, {.width = t.width, .cap = t.cap});
   if (!draw_thick_line(sink, t.a, t.b, t.width, t.cap).ok()) return text(t) + ": refused";
   if (!sink.violation().empty()) return text(t) + ": " + sink.violation();
   const Rect& clip = sink.clip();
   for (int y = clip.y; y < clip.bottom(); ++y)
     for (int x = clip.x; x < clip.right(); ++x)
-      if (sink.writes(x, y) != (oracle::in_polygon(contours, false, x, y) ? 1 : 0))
+      if (sink.writes(x, y) != (area.holds(x, y) ? 1 : 0))
         return text(t) + ": pixel " + std::to_string(x) + "," + std::to_string(y) + "\n" + sink.ascii();
   return "";
 }
@@ -91,7 +62,7 @@ TEST(ThickLine, EveryShortLineIsTheRectangleOfItsWidth) {
     for (int dy = -12; dy <= 12; ++dy)
       for (int dx = -12; dx <= 12; ++dx)
         for (const int width : {0, 1, 128, 256, 384, 512, 800, 1280})
-          for (const Cap cap : {Cap::butt, Cap::square})
+          for (const Cap cap : caps)
             for (const int unit : {128, 256})
               if (first_fault.empty())
                 first_fault = fault({{0, 64}, {dx * unit, 64 + dy * unit}, width, cap}, sink);
@@ -108,7 +79,7 @@ TEST(ThickLine, RandomLinesToTheEdgeOfTheDomainAreExactUnderAnyClip) {
       const Thick t{{within(limit), within(limit)},
                     {within(limit), within(limit)},
                     random.between(0, i % 2 == 0 ? 2500 : 1 << 20),
-                    i % 3 == 0 ? Cap::butt : Cap::square};
+                    caps[static_cast<std::size_t>(i) % 3]};
       const long along = random.between(0, 1 << 10);
       const int x = static_cast<int>(t.a.x + (long{t.b.x} - t.a.x) * along / (1 << 10)) / 256;
       const int y = static_cast<int>(t.a.y + (long{t.b.y} - t.a.y) * along / (1 << 10)) / 256;
@@ -155,6 +126,23 @@ TEST(ThickLine, WithoutLengthASquareCapIsAnUprightSquareAndAButtOneNothing) {
   EXPECT_EQ(sink.writes(5, 5), 1);
 }
 
+TEST(ThickLine, ARoundCapIsTheDiscWithoutTheRightmostPixelsOnItsCircle) {
+  // 4 wide: the circle passes through the centres of four pixels, of which the left one belongs.
+  RecordingSink sink({0, 0, 9, 9});
+  ASSERT_TRUE(draw_thick_line(sink, {4, 4}, {4, 4}, 4, Cap::round).ok());
+  EXPECT_EQ(
+      sink.ascii(),
+      ".........\n.........\n.........\n...###...\n..####...\n...###...\n.........\n.........\n.........\n");
+}
+
+TEST(ThickLine, HalfAWidthThatEndsInOneHalfIsRoundedAwayFromZero) {
+  // Along (3, 4), 10 * n / 256 wide: half of it is (3, 4) * n / 256, all whole; 5 * n: with halves of 1/256.
+  RecordingSink sink({-40, -40, 80, 80});
+  for (const int n : {1, 3, 511, 513, 1025})
+    for (const Cap cap : caps)
+      for (const int turn : {1, -1}) EXPECT_EQ(fault({{turn * 768, 1024}, {0, 0}, 5 * n, cap}, sink), "");
+}
+
 TEST(ThickLine, TheWidestLineIsDrawn) {
   // Corners half a width out of the domain are refused; along its middle row the widest line just fits.
   RecordingSink sink({-4, -4, 8, 8});
@@ -184,11 +172,13 @@ TEST(ThickLine, BadArgumentsAreRefusedAndNothingIsDrawn) {
     EXPECT_EQ(draw_thick_line(sink, SubPoint{bad, 0}, SubPoint{0, 0}, 256), point);
     EXPECT_EQ(draw_thick_line(sink, SubPoint{0, 0}, SubPoint{0, bad}, 256), point);
     EXPECT_EQ(draw_thick_line(sink, SubPoint{0, 0}, SubPoint{512, 0}, bad), width);
+    EXPECT_EQ(draw_thick_line(sink, SubPoint{bad, 0}, SubPoint{0, 0}, 256, Cap::round), point);
+    EXPECT_EQ(draw_thick_line(sink, SubPoint{0, 0}, SubPoint{512, 0}, bad, Cap::round), width);
     EXPECT_EQ(draw_thick_line(sink, {bad, 0}, {0, 0}, 1), point);
     EXPECT_EQ(draw_thick_line(sink, {0, 0}, {5, 0}, bad), width);
   }
   EXPECT_EQ(draw_thick_line(sink, {0, 0}, {5, 0}, -1), width);
-  EXPECT_EQ(draw_thick_line(sink, {0, 0}, {5, 0}, 1, static_cast<Cap>(9)),
+  EXPECT_EQ(draw_thick_line(sink, {0, 0}, {5, 0}, 1, static_cast<Cap>(3)),
             (Status{Error::out_of_range, Argument::rule}));
   EXPECT_EQ(sink.spans(), 0);
 }

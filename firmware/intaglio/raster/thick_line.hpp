@@ -4,58 +4,86 @@
 //
 // Rule (DESIGN.md, "Thick line"): the parallelogram (a rectangle, but for the rounding of its corners to
 // 1/256 pixel) whose middle line runs from end to end and whose sides lie half the width to either hand,
-// filled by the top-left rule; square caps move its ends out by half the width. So thick lines that touch
-// along a side share no pixel, each pixel is drawn once, and a line from b to a is the line from a to b.
+// filled by the top-left rule; square caps move its ends out by half the width, round ones add the disc of
+// that diameter around each end (disc_edge.hpp has its rule). So thick lines that touch along a side share no
+// pixel, each pixel is drawn once, and a line from b to a is the line from a to b.
 //
-// Both halves are triangles, which share the diagonal's pixels by the same rule.
+// Both halves of the parallelogram are triangles, which share the diagonal's pixels by the same rule. A line
+// with round caps is a polyline of one segment (polyline.hpp).
 // Error: the corners lie at the ends plus and minus one and the same offset, whose two coordinates are the
-// true ones rounded, off by at most 1/2 + width/2^31 units of 1/256 pixel (up to 4096 pixels wide: 0.5005).
-// So the sides are exactly parallel to the line. Bit budget: see thick_line.cpp. Textbook: section 2.3.3,
-// whose line is thick along the minor axis only, hence 1/sqrt(2) too thin along diagonals. Worst known
-// inputs: a width of 1 along a diagonal; ends that fall together.
+// true ones rounded to the nearest 1/256 pixel (stroke.hpp). So the sides are exactly parallel to the line.
+// Bit budget: corners within 2^28 + 2 * 2^27. Textbook: section 2.3.3, whose line is thick along the minor
+// axis only, hence 1/sqrt(2) too thin along diagonals. Worst known inputs: a width of 1 along a diagonal;
+// ends that fall together.
 #pragma once
 
 #include <intaglio/linear/point.hpp>
+#include <intaglio/raster/polyline.hpp>
 #include <intaglio/raster/sink.hpp>
+#include <intaglio/raster/stroke.hpp>
 #include <intaglio/raster/triangle.hpp>
 #include <intaglio/status.hpp>
 
 #include <array>
 #include <concepts>
-#include <cstdint>
 
 namespace intaglio::raster {
 
-/// How a thick line ends.
-enum class Cap : std::uint8_t {
-  butt,    ///< At its end; a line without length has no pixel.
-  square,  ///< Half the width beyond it; a line without length is an upright square.
-};
-
 namespace detail {
-/// The corners of a thick line, in order round it. Errors: as `draw_thick_line`.
+
+/// The corners of a thick line, in order round it. Errors: as `draw_thick_line`; round caps have none.
 [[nodiscard]] Status thick_line_corners(linear::SubPoint a, linear::SubPoint b, int width, Cap cap,
                                         std::array<linear::SubPoint, 4>& corners) noexcept;
+
+template <SpanSink S>
+Status draw_cornered_line(S& sink, linear::SubPoint a, linear::SubPoint b, int width, Cap cap) {
+  std::array<linear::SubPoint, 4> corners;
+  const Status status = thick_line_corners(a, b, width, cap, corners);
+  if (!status.ok()) return status;
+  raster::fill_triangle(sink, corners[0], corners[1], corners[2]).ignore();
+  raster::fill_triangle(sink, corners[0], corners[2], corners[3]).ignore();
+  return {};
+}
+
+/// The ends of a line between pixels in 1/256 pixel. Errors: point, width.
+[[nodiscard]] inline Status check_thick_line(linear::Point a, linear::Point b, int width) noexcept {
+  if (!linear::in_domain(a) || !linear::in_domain(b)) return {Error::out_of_domain, Argument::point};
+  if (!linear::in_domain(width)) return {Error::out_of_domain, Argument::width};
+  return {};
+}
+
 }  // namespace detail
 
-/// Draws the line from `a` to `b` and of that width, all in 1/256 pixel. A width of 0 has no pixel.
-/// Errors: out_of_domain point (an end or a corner), out_of_domain width (not 0..2^28), out_of_range rule
-/// (`cap`); nothing is drawn then. Cost: a square root and two divisions, then two `fill_triangle`.
+/// Draws the line from `a` to `b` and of that width, all in 1/256 pixel, with butt ends. A width of 0 has no
+/// pixel. Errors: out_of_domain point (an end or a corner), out_of_domain width (not 0..2^28); nothing is
+/// drawn then. Cost: a square root and two divisions, then two `fill_triangle`.
 template <SpanSink S, std::same_as<linear::SubPoint> P>
-Status draw_thick_line(S&& sink, P a, P b, int width, Cap cap = Cap::butt) {
-  std::array<linear::SubPoint, 4> corners;
-  const Status status = detail::thick_line_corners(a, b, width, cap, corners);
-  if (!status.ok()) return status;
-  fill_triangle(sink, corners[0], corners[1], corners[2]).ignore();
-  fill_triangle(sink, corners[0], corners[2], corners[3]).ignore();
-  return {};
+Status draw_thick_line(S&& sink, P a, P b, int width) {
+  return detail::draw_cornered_line(sink, a, b, width, Cap::butt);
+}
+
+/// The same with caps. Errors: as above, out_of_range rule (`cap`). Cost: with round caps that of a polyline,
+/// whose code is linked where this is called.
+template <SpanSink S, std::same_as<linear::SubPoint> P>
+Status draw_thick_line(S&& sink, P a, P b, int width, Cap cap) {
+  if (cap != Cap::round) return detail::draw_cornered_line(sink, a, b, width, cap);
+  const std::array<linear::SubPoint, 2> ends{a, b};
+  std::array<StrokeEdge, detail::round_line_edges> workspace;
+  const Status status = draw_polyline(sink, ends, Stroke{.width = width, .cap = cap}, workspace);
+  return status.argument() == Argument::vertices ? Status{status.error(), Argument::point} : status;
 }
 
 /// The same between two pixels' centres, with the width in pixels, 0..2^20.
 template <SpanSink S>
-Status draw_thick_line(S&& sink, linear::Point a, linear::Point b, int width, Cap cap = Cap::butt) {
-  if (!linear::in_domain(a) || !linear::in_domain(b)) return {Error::out_of_domain, Argument::point};
-  if (!linear::in_domain(width)) return {Error::out_of_domain, Argument::width};
+Status draw_thick_line(S&& sink, linear::Point a, linear::Point b, int width) {
+  const Status status = detail::check_thick_line(a, b, width);
+  if (!status.ok()) return status;
+  return draw_thick_line(sink, linear::to_subpixel(a), linear::to_subpixel(b), width * linear::subpixel_one);
+}
+template <SpanSink S>
+Status draw_thick_line(S&& sink, linear::Point a, linear::Point b, int width, Cap cap) {
+  const Status status = detail::check_thick_line(a, b, width);
+  if (!status.ok()) return status;
   return draw_thick_line(sink, linear::to_subpixel(a), linear::to_subpixel(b), width * linear::subpixel_one,
                          cap);
 }

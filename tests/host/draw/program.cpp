@@ -10,6 +10,7 @@
 #include <tests/oracle/oval.hpp>
 #include <tests/oracle/polygon.hpp>
 #include <tests/oracle/sector.hpp>
+#include <tests/oracle/stroke.hpp>
 #include <tests/oracle/text.hpp>
 
 #include <gtest/gtest.h>
@@ -75,12 +76,31 @@ TEST(Draw, ThickLine) {
   expect_pixels("thickline 5 10 30 10 4", [](int x, int y) { return x >= 5 && x < 30 && y >= 8 && y < 12; });
   expect_pixels("thickline 10.5 30 10.5 9 5 square",
                 [](int x, int y) { return x >= 8 && x < 13 && y >= 7 && y < 33; });
+  expect_pixels("thickline 20 20 20 20 11.5 round",
+                [](int x, int y) { return 4 * ((x - 20) * (x - 20) + (y - 20) * (y - 20)) < 132; });
   // Half the width of 25 across (18,24) is (10,-7.5).
   expect_pixels("thickline 7 8 25 32 25 butt", [](int x, int y) {
     const oracle::Contours contours{
         {{-3 * 256, 31 * 128}, {15 * 256, 79 * 128}, {35 * 256, 49 * 128}, {17 * 256, 128}}};
     return oracle::in_polygon(contours, false, x, y);
   });
+}
+
+TEST(Draw, Polyline) {
+  using intaglio::raster::Cap;
+  using intaglio::raster::Join;
+  const std::string points = " 5 5 40.5 9 12 20 12 20 30 30";
+  const oracle::Contour contour{{1280, 1280}, {10368, 2304}, {3072, 5120}, {7680, 7680}};
+  const auto expect = [&](const std::string& words, const intaglio::raster::Stroke& stroke) {
+    const oracle::StrokeArea area(contour, stroke);
+    expect_pixels("polyline 4.5 " + words + points, [&](int x, int y) { return area.holds(x, y); });
+  };
+  constexpr int wide = 1152;
+  expect("miter", {.width = wide});
+  expect("bevel square", {.width = wide, .join = Join::bevel, .cap = Cap::square});
+  expect("round round", {.width = wide, .join = Join::round, .cap = Cap::round});
+  expect("miter closed limit 7.5", {.width = wide, .closed = true, .miter_limit = 1920});
+  expect("miter round limit 1", {.width = wide, .cap = Cap::round, .miter_limit = 256});
 }
 
 TEST(Draw, Rectangles) {
@@ -418,8 +438,16 @@ TEST(DrawErrors, SayTheLineTheCommandAndWhatIsWrong) {
       {"S\nline 1 1 2", "line 2: line: y1 is missing"},
       {"S\nline 0 0 0 -1048577", "line 2: line: point out of domain"},
       {"S\nthickline 0 0 5 5 -1", "line 2: thickline: width out of domain"},
-      {"S\nthickline 0 0 5 5 1 flat", "line 2: thickline: the cap must be butt or square, not 'flat'"},
+      {"S\nthickline 0 0 5 5 1 flat", "line 2: thickline: the cap must be butt, square or round, not 'flat'"},
       {"S\nthickline 0 0 5 5", "line 2: thickline: width is missing"},
+      {"S\nthickline 0 0 5 5 1 round 3", "line 2: thickline: '3' is one argument too many"},
+      {"S\npolyline 3 0 0 5 5", "line 2: polyline: the join must be miter, bevel or round, not '0'"},
+      {"S\npolyline 3", "line 2: polyline: join is missing"},
+      {"S\npolyline 3 miter", "line 2: polyline: x is missing"},
+      {"S\npolyline 3 miter 1 1 2", "line 2: polyline: y is missing"},
+      {"S\npolyline 3 miter limit 17 1 1 2 2", "line 2: polyline: limit out of range"},
+      {"S\npolyline -3 miter 1 1 2 2", "line 2: polyline: width out of domain"},
+      {"S\npolyline 3 round 1 1 2 1048577", "line 2: polyline: vertices out of domain"},
       {"S\nthickline 0 0 1048576 1048576 9", "line 2: thickline: point out of domain"},
       {"S\ndash 0 1 1 1 2 2", "line 2: dash: steps out of range"},
       {"S\ndash 1 1.5 1 1 2 2", "line 2: dash: off must be a whole number, not '1.5'"},

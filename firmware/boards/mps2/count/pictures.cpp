@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+//
+// Counted: pictures copied, stretched and turned; flood fill.
+#include <intaglio/image/blit.hpp>
+#include <intaglio/image/rotozoom.hpp>
+#include <intaglio/image/scale.hpp>
+#include <intaglio/raster/flood.hpp>
+
+#include <firmware/boards/mps2/count/rig.hpp>
+
+namespace boards::mps2 {
+
+namespace {
+
+// A picture to copy: 64x64 pixels of index 1 and 2 by turns.
+constexpr auto checkered = [] {
+  std::array<std::uint8_t, 64 * 64> indices{};
+  for (std::size_t i = 0; i < indices.size(); ++i) indices[i] = i % 2 == 0 ? 1 : 2;
+  return indices;
+}();
+constexpr auto checkers = image::Picture<Format>::over(checkered, {64, 64}).value();
+
+raster::FloodSpan flood_spans[64];
+
+constexpr Row rows[] = {
+    {"blit 64x64",
+     [](const Pen& pen) {
+       use(image::blit(pen.surface(), opaque(Point{101, 77}), checkers));
+     }},
+    {"blit 64x64 keyed",
+     [](const Pen& pen) {
+       use(image::blit(pen.surface(), opaque(Point{101, 77}), checkers, image::ColourKey{2}));
+     }},
+    {"blit 64x64 to 100x60",
+     [](const Pen& pen) {
+       use(image::blit_scaled(pen.surface(), opaque(Rect{101, 77, 100, 60}), checkers));
+     }},
+    {"blit 64x64 turned by 30",
+     [](const Pen& pen) {
+       image::Rotozoom placement;
+       placement.position = opaque(SubPoint{160 * 256, 120 * 256});
+       placement.pivot = {128 * 63, 128 * 63};
+       placement.angle = number::Angle::from_steps(opaque(number::Angle::turn / 12));
+       use(image::blit_rotozoom(pen.surface(), placement, checkers));
+     }},
+    {"flood 100x60",
+     [](const Pen& pen) {
+       const Pen bounded(pen.surface(), 1, opaque(Rect{101, 77, 100, 60}));
+       use(raster::flood_fill(bounded, raster::Connectivity::four, opaque(Point{150, 100}), flood_spans));
+     }},
+};
+
+}  // namespace
+
+constinit const std::span<const Row> picture_rows = rows;
+
+}  // namespace boards::mps2

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+//
+// Pixels, straight runs, rectangles, lines, dashes and thick lines.
+#include <intaglio/raster/dash.hpp>
+#include <intaglio/raster/line.hpp>
+#include <intaglio/raster/pixel.hpp>
+#include <intaglio/raster/rectangle.hpp>
+#include <intaglio/raster/thick_line.hpp>
+#include <tests/fuzz/scene.hpp>
+#include <tests/oracle/line.hpp>
+
+namespace fuzz {
+namespace {
+
+using namespace intaglio::raster;
+
+void rectangles(Input& in, const Scene& scene) {
+  const Point corner = scene.point(in);
+  const int width = in.length();
+  const int height = in.length();
+  const Rect r{corner.x, corner.y, width, height};
+  switch (in.choice(5)) {
+    case 0:
+      check(scene, in, [&](auto& sink) { return draw_pixel(sink, corner); });
+      break;
+    case 1:
+      check(scene, in, [&](auto& sink) { return draw_horizontal(sink, corner, width); });
+      break;
+    case 2:
+      check(scene, in, [&](auto& sink) { return draw_vertical(sink, corner, height); });
+      break;
+    case 3:
+      check(scene, in, [&](auto& sink) { return draw_rect(sink, r); });
+      break;
+    default: {
+      const Drawn filled = check(scene, in, [&](auto& sink) { return fill_rect(sink, r); });
+      for_pixels(scene.window, [&](int x, int y) {
+        const bool in_r =
+            x >= r.x && y >= r.y && x - std::int64_t{r.x} < r.width && y - std::int64_t{r.y} < r.height;
+        require(!filled.status.ok() || filled.has(x, y) == in_r, "fill_rect: not the rectangle's pixels");
+      });
+    }
+  }
+}
+
+void line(Input& in, const Scene& scene) {
+  const Point a = scene.point(in);
+  const Point b = scene.point(in);
+  const Drawn whole = check(scene, in, [&](auto& sink) { return draw_line(sink, a, b); });
+  const Drawn back = drawn(scene.window, [&](auto& sink) { return draw_line(sink, b, a); });
+  require_same(whole, back, "draw_line: from B to A isn't from A to B");
+  if (!whole.status.ok() || !scene.small()) return;
+  for_pixels(scene.window, [&](int x, int y) {
+    require(whole.has(x, y) == oracle::on_line(a.x, a.y, b.x, b.y, x, y), "draw_line: not the nearest");
+  });
+}
+
+void sub_line(Input& in, const Scene& scene) {
+  const SubPoint a = scene.sub_point(in);
+  const SubPoint b = scene.sub_point(in);
+  const Drawn whole = check(scene, in, [&](auto& sink) { return draw_line(sink, a, b); });
+  const Drawn back = drawn(scene.window, [&](auto& sink) { return draw_line(sink, b, a); });
+  require_same(whole, back, "draw_line (sub-pixels): from B to A isn't from A to B");
+  if (!whole.status.ok() || !scene.small()) return;
+  for_pixels(scene.window, [&](int x, int y) {
+    require(whole.has(x, y) == oracle::on_sub_line(a.x, a.y, b.x, b.y, x, y),
+            "draw_line (sub-pixels): not the nearest");
+  });
+}
+
+void dashes(Input& in, const Scene& scene) {
+  const Point a = scene.point(in);
+  const Point b = scene.point(in);
+  const int on = in.length();
+  const int off = in.length();
+  const Drawn whole = check(scene, in, [&](auto& sink) { return draw_dashed_line(sink, a, b, on, off); });
+  if (!whole.status.ok() || !scene.small()) return;
+  for_pixels(scene.window, [&](int x, int y) {
+    require(whole.has(x, y) == oracle::on_dash(a.x, a.y, b.x, b.y, on, off, x, y),
+            "draw_dashed_line: not the dashes");
+  });
+}
+
+void thick(Input& in, const Scene& scene) {
+  // One cap beyond those that there are.
+  const auto cap = static_cast<Cap>(in.choice(3));
+  if (in.choice(2) == 0) {
+    const SubPoint a = scene.sub_point(in);
+    const SubPoint b = scene.sub_point(in);
+    const int width = in.sub_coordinate(0, 32);
+    check(scene, in, [&](auto& sink) { return draw_thick_line(sink, a, b, width, cap); });
+  } else {
+    const Point a = scene.point(in);
+    const Point b = scene.point(in);
+    const int width = in.length();
+    check(scene, in, [&](auto& sink) { return draw_thick_line(sink, a, b, width, cap); });
+  }
+}
+
+}  // namespace
+
+void run(Input in) {
+  const int what = in.choice(5);
+  const Scene scene(in);
+  switch (what) {
+    case 0:
+      return rectangles(in, scene);
+    case 1:
+      return line(in, scene);
+    case 2:
+      return sub_line(in, scene);
+    case 3:
+      return dashes(in, scene);
+    default:
+      return thick(in, scene);
+  }
+}
+
+}  // namespace fuzz

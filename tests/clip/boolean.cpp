@@ -6,7 +6,6 @@
 #include <climits>
 #include <gtest/gtest.h>
 
-
 namespace {
 
 using intaglio::Argument;

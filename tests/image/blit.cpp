@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <intaglio/image/blit.hpp>
 #include <tests/image/formats.hpp>
+#include <tests/image/rules.hpp>
 
 #include <array>
 #include <limits>
@@ -26,6 +27,8 @@ using intaglio::image::Surface;
 using intaglio::linear::Point;
 using intaglio::linear::Rect;
 using oracle::Packed;
+using tests::IndexMap;
+using tests::Layout;
 
 constexpr int width = 27;
 constexpr int height = 6;
@@ -56,8 +59,7 @@ Job random_job(oracle::Random& random) {
 
 /// Paints the expected picture: the source is read first, then every pixel that is inside everything is
 /// written.
-template <class Map>
-void expect_blit(Packed& target, const Packed& source, const Job& job, Map map) {
+void expect_blit(Packed& target, const Packed& source, const Job& job, const IndexMap& map) {
   std::vector<unsigned> read;
   for (int y = 0; y < job.source.height; ++y)
     for (int x = 0; x < job.source.width; ++x) read.push_back(source.get(job.source.x + x, job.source.y + y));
@@ -83,54 +85,25 @@ std::string text(const Job& job) {
          std::to_string(job.position.x) + ',' + std::to_string(job.position.y) + " clip " + rect(job.clip);
 }
 
-/// Random tables for a pair of formats: entries that the target can hold.
-template <class F, class G>
-std::array<std::uint8_t, G::max_index + 1> random_table(oracle::Random& random) {
-  std::array<std::uint8_t, G::max_index + 1> table{};
-  for (std::uint8_t& entry : table) entry = static_cast<std::uint8_t>(random.bits() % (F::max_index + 1U));
-  return table;
-}
+/// Draws a job from one memory to another, or within one.
+using Draw = std::function<Status(Packed& to, Packed& from, const Job& job)>;
 
-/// One random job by one rule between two memories, or within one.
-template <class F, class G, class Rule, class Map>
-void check(oracle::Random& random, const Rule& rule, Map map) {
+/// One random job by one rule between two memories, and within one if the formats are the same.
+void check(oracle::Random& random, Layout target, Layout source, const IndexMap& map, const Draw& draw) {
   const Job job = random_job(random);
-  Packed to = tests::packed_rows<F>(width, height, random.between(0, 3));
-  Packed from = tests::packed_rows<G>(width, height, random.between(0, 3));
+  Packed to = tests::packed_rows(target, width, height, random.between(0, 3));
+  Packed from = tests::packed_rows(source, width, height, random.between(0, 3));
   to.randomize(random);
   from.randomize(random);
   Packed expected = to;
   expect_blit(expected, from, job, map);
-  const Picture<G> source = tests::surface_over<G>(from, width, height).sub(job.source);
-  const Surface<F> target = tests::surface_over<F>(to, width, height).sub(job.target);
-  ASSERT_TRUE(blit(target, job.position, source, rule, job.clip).ok());
+  ASSERT_TRUE(draw(to, from, job).ok());
   ASSERT_EQ(to.bytes(), expected.bytes()) << text(job) << ", " << random.seed_text();
-  if constexpr (std::is_same_v<F, G>) {
-    Packed both = to;
-    Packed expected_both = both;
+  if (target == source) {
+    Packed expected_both = to;
     expect_blit(expected_both, expected_both, job, map);
-    const Surface<F> whole = tests::surface_over<F>(both, width, height);
-    ASSERT_TRUE(blit(whole.sub(job.target), job.position, whole.sub(job.source), rule, job.clip).ok());
-    ASSERT_EQ(both.bytes(), expected_both.bytes()) << "overlap, " << text(job) << ", " << random.seed_text();
-  }
-}
-
-template <class F, class G>
-void check_pair(std::uint32_t seed, int jobs) {
-  oracle::Random random(seed);
-  for (int i = 0; i < jobs && !testing::Test::HasFatalFailure(); ++i) {
-    const auto key = static_cast<unsigned>(random.bits() % (G::max_index + 1U));
-    const auto table = random_table<F, G>(random);
-    check<F, G>(random, Remap{table}, [&](unsigned index) { return std::optional<unsigned>(table[index]); });
-    check<F, G>(random, KeyedRemap{key, table}, [&](unsigned index) {
-      return index == key ? std::nullopt : std::optional<unsigned>(table[index]);
-    });
-    if constexpr (G::bits <= F::bits) {
-      check<F, G>(random, Everything{}, [](unsigned index) { return std::optional<unsigned>(index); });
-      check<F, G>(random, ColourKey{key}, [&](unsigned index) {
-        return index == key ? std::nullopt : std::optional<unsigned>(index);
-      });
-    }
+    ASSERT_TRUE(draw(to, to, job).ok());
+    ASSERT_EQ(to.bytes(), expected_both.bytes()) << "overlap, " << text(job) << ", " << random.seed_text();
   }
 }
 
@@ -138,14 +111,20 @@ template <class F>
 class Blit : public testing::Test {};
 TYPED_TEST_SUITE(Blit, tests::AllFormats);
 
-template <class F, class... Sources>
-void check_all_sources(testing::Types<Sources...>) {
-  std::uint32_t seed = 4000;
-  (check_pair<F, Sources>(++seed, std::is_same_v<F, Sources> ? 3000 : 400), ...);
-}
-
 TYPED_TEST(Blit, FromEveryFormatByEveryRuleEqualsReadingFirstAndWritingThen) {
-  check_all_sources<TypeParam>(tests::AllFormats{});
+  oracle::Random random(4001);
+  tests::for_all_sources<TypeParam>(tests::AllFormats{}, [&]<class F, class G>() {
+    const int jobs = std::is_same_v<F, G> ? 3000 : 400;
+    for (int i = 0; i < jobs && !testing::Test::HasFatalFailure(); ++i)
+      tests::try_all_rules<F, G>(random, [&](const auto& rule, const IndexMap& map) {
+        check(random, tests::layout_of<F>, tests::layout_of<G>, map,
+              [&rule](Packed& to, Packed& from, const Job& job) {
+                return blit(tests::surface_over<F>(to, width, height).sub(job.target), job.position,
+                            Picture<G>(tests::surface_over<G>(from, width, height).sub(job.source)), rule,
+                            job.clip);
+              });
+      });
+  });
 }
 
 TYPED_TEST(Blit, AFrameScrollsOverItselfInEveryDirection) {

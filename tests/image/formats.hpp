@@ -15,11 +15,22 @@ using AllFormats =
                    intaglio::image::Indexed8, intaglio::image::Indexed1Lsb, intaglio::image::Indexed2Lsb,
                    intaglio::image::Indexed4Lsb>;
 
+/// A format at run time.
+struct Layout {
+  int bits;
+  bool most_significant_first;
+  bool operator==(const Layout&) const = default;
+};
+template <class F>
+inline constexpr Layout layout_of{F::bits, F::order == intaglio::image::BitOrder::msb_first};
+
 /// Memory of the oracle in the layout of a format.
+inline oracle::Packed packed_rows(Layout layout, int width, int height, int extra_bytes = 0) {
+  return {layout.bits, layout.most_significant_first, (width * layout.bits + 7) / 8 + extra_bytes, height};
+}
 template <class F>
 oracle::Packed packed_rows(int width, int height, int extra_bytes = 0) {
-  return {F::bits, F::order == intaglio::image::BitOrder::msb_first, (width * F::bits + 7) / 8 + extra_bytes,
-          height};
+  return packed_rows(layout_of<F>, width, height, extra_bytes);
 }
 
 /// The library's view of the same memory; fails the test if there is none.

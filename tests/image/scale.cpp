@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <intaglio/image/scale.hpp>
 #include <tests/image/formats.hpp>
+#include <tests/image/rules.hpp>
 #include <tests/oracle/scale.hpp>
 
 #include <algorithm>
@@ -21,7 +22,6 @@ using intaglio::image::everywhere;
 using intaglio::image::Indexed2;
 using intaglio::image::Indexed4;
 using intaglio::image::Indexed8;
-using intaglio::image::KeyedRemap;
 using intaglio::image::Picture;
 using intaglio::image::Remap;
 using intaglio::image::Surface;
@@ -29,6 +29,8 @@ using intaglio::linear::Point;
 using intaglio::linear::Rect;
 using intaglio::linear::Size;
 using oracle::Packed;
+using tests::IndexMap;
+using tests::Layout;
 
 constexpr int limit = 1 << 20;
 constexpr int width = 29;
@@ -44,9 +46,8 @@ bool inside(const Rect& r, int x, int y) {
 }
 
 /// Every pixel of a `width` x `height` target asked by itself.
-template <class Map>
 void expect_scaled(Packed& target, const Packed& source, const Rect& part, const Rect& destination,
-                   const Rect& clip, Map map) {
+                   const Rect& clip, const IndexMap& map) {
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
       if (!inside(destination, x, y) || !inside(clip, x, y)) continue;
@@ -69,62 +70,54 @@ std::pair<int, int> random_extent(oracle::Random& random, int extent) {
   }
 }
 
-template <class F, class G, class Rule, class Map>
-void check(oracle::Random& random, const Rule& rule, Map map) {
-  constexpr int most = 19;
+constexpr int most = 19;
+
+/// What is shown of the source, where, and what of that is drawn.
+struct Job {
+  Rect part;
+  Rect destination;
+  Rect clip;
+};
+using Draw = std::function<Status(Packed& to, Packed& from, const Job& job)>;
+
+void check(oracle::Random& random, Layout target, Layout source, const IndexMap& map, const Draw& draw) {
   const int x = random.between(0, most - 1);
   const int y = random.between(0, most - 1);
   const Rect part{x, y, random.between(1, most - x), random.between(1, most - y)};
   const auto [left, columns] = random_extent(random, width);
   const auto [top, rows] = random_extent(random, height);
-  const Rect destination{left, top, columns, rows};
-  Rect clip = everywhere;
+  Job job{part, {left, top, columns, rows}, everywhere};
   if (random.between(0, 1) == 0)
-    clip = {random.between(-5, 20), random.between(-3, 5), random.between(-1, 30), random.between(-1, 12)};
-  Packed to = tests::packed_rows<F>(width, height, random.between(0, 3));
-  Packed from = tests::packed_rows<G>(most, most, random.between(0, 3));
+    job.clip = {random.between(-5, 20), random.between(-3, 5), random.between(-1, 30),
+                random.between(-1, 12)};
+  Packed to = tests::packed_rows(target, width, height, random.between(0, 3));
+  Packed from = tests::packed_rows(source, most, most, random.between(0, 3));
   to.randomize(random);
   from.randomize(random);
   Packed expected = to;
-  expect_scaled(expected, from, part, destination, clip, map);
-  const Picture<G> source = tests::surface_over<G>(from, most, most).sub(part);
-  ASSERT_TRUE(blit_scaled(tests::surface_over<F>(to, width, height), destination, source, rule, clip).ok());
-  ASSERT_EQ(to.bytes(), expected.bytes()) << "source " << text(part) << " to " << text(destination)
-                                          << " clip " << text(clip) << ", " << random.seed_text();
-}
-
-template <class F, class G>
-void check_pair(std::uint32_t seed, int jobs) {
-  oracle::Random random(seed);
-  for (int i = 0; i < jobs && !testing::Test::HasFatalFailure(); ++i) {
-    const auto key = static_cast<unsigned>(random.bits() % (G::max_index + 1U));
-    std::array<std::uint8_t, G::max_index + 1> table{};
-    for (std::uint8_t& entry : table) entry = static_cast<std::uint8_t>(random.bits() % (F::max_index + 1U));
-    check<F, G>(random, Remap{table}, [&](unsigned index) { return std::optional<unsigned>(table[index]); });
-    check<F, G>(random, KeyedRemap{key, table}, [&](unsigned index) {
-      return index == key ? std::nullopt : std::optional<unsigned>(table[index]);
-    });
-    if constexpr (G::bits <= F::bits) {
-      check<F, G>(random, Everything{}, [](unsigned index) { return std::optional<unsigned>(index); });
-      check<F, G>(random, ColourKey{key}, [&](unsigned index) {
-        return index == key ? std::nullopt : std::optional<unsigned>(index);
-      });
-    }
-  }
+  expect_scaled(expected, from, job.part, job.destination, job.clip, map);
+  ASSERT_TRUE(draw(to, from, job).ok());
+  ASSERT_EQ(to.bytes(), expected.bytes()) << "source " << text(job.part) << " to " << text(job.destination)
+                                          << " clip " << text(job.clip) << ", " << random.seed_text();
 }
 
 template <class F>
 class Scale : public testing::Test {};
 TYPED_TEST_SUITE(Scale, tests::AllFormats);
 
-template <class F, class... Sources>
-void check_all_sources(testing::Types<Sources...>) {
-  std::uint32_t seed = 5000;
-  (check_pair<F, Sources>(++seed, 400), ...);
-}
-
 TYPED_TEST(Scale, FromEveryFormatByEveryRuleEqualsThePredicatePixelByPixel) {
-  check_all_sources<TypeParam>(tests::AllFormats{});
+  oracle::Random random(5001);
+  tests::for_all_sources<TypeParam>(tests::AllFormats{}, [&]<class F, class G>() {
+    for (int i = 0; i < 400 && !testing::Test::HasFatalFailure(); ++i)
+      tests::try_all_rules<F, G>(random, [&](const auto& rule, const IndexMap& map) {
+        check(random, tests::layout_of<F>, tests::layout_of<G>, map,
+              [&rule](Packed& to, Packed& from, const Job& job) {
+                return blit_scaled(tests::surface_over<F>(to, width, height), job.destination,
+                                   Picture<G>(tests::surface_over<G>(from, most, most).sub(job.part)), rule,
+                                   job.clip);
+              });
+      });
+  });
 }
 
 TYPED_TEST(Scale, ToItsOwnSizeIsAPlainBlit) {

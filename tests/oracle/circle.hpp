@@ -3,8 +3,10 @@
 // Circles and discs by definition, in 128-bit integers.
 #pragma once
 
+#include <tests/oracle/span_list.hpp>
+
+#include <algorithm>
 #include <cstdlib>
-#include <utility>
 #include <vector>
 
 namespace oracle {
@@ -40,18 +42,21 @@ inline int outline_reach(int r, int dy) {
   return x;
 }
 
-/// The pixels (y, x) of the outline around (0, 0), sorted, each once.
-inline std::vector<std::pair<int, int>> circle_pixels(int r) {
-  std::vector<std::pair<int, int>> pixels;
+/// The outline around (0, 0), row by row: a run on either side, or one where they meet.
+inline std::vector<Span> circle_runs(int r) {
+  std::vector<Span> runs;
   for (int y = -r; y <= r; ++y) {
-    // A row's pixels are one run on either side; it ends where the outline does.
     const int reach = outline_reach(r, y);
     int begin = reach;
     while (begin > 0 && on_circle(r, begin - 1, y)) --begin;
-    for (int x = -reach; x <= -begin; ++x) pixels.emplace_back(y, x);
-    for (int x = begin == 0 ? 1 : begin; x <= reach; ++x) pixels.emplace_back(y, x);
+    if (begin == 0) {
+      runs.push_back({y, -reach, reach + 1});
+    } else {
+      runs.push_back({y, -reach, -begin + 1});
+      runs.push_back({y, begin, reach + 1});
+    }
   }
-  return pixels;
+  return runs;
 }
 
 }  // namespace oracle

@@ -5,8 +5,13 @@
 #pragma once
 
 #include <intaglio/linear/point.hpp>
+#include <intaglio/linear/rect.hpp>
+#include <tests/oracle/integer.hpp>
+#include <tests/oracle/span_list.hpp>
 
+#include <algorithm>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace oracle {
@@ -32,9 +37,41 @@ inline int winding(const Contours& contours, int x, int y) {
   return turns;
 }
 
+/// The same for a whole row: the winding numbers of pixels (left, y) .. (left + width - 1, y). From the first
+/// pixel on that has a crossing to its left, the number is one more or less.
+inline std::vector<int> winding_row(const Contours& contours, int left, int width, int y) {
+  const Wide py = Wide{y} * 256;
+  std::vector<int> turns(static_cast<std::size_t>(width) + 1);
+  for (const Contour& contour : contours)
+    for (std::size_t i = 0; i < contour.size(); ++i) {
+      auto a = contour[i];
+      auto b = contour[(i + 1) % contour.size()];
+      const int direction = a.y < b.y ? 1 : -1;
+      if (b.y < a.y) std::swap(a, b);
+      if (py < a.y || py >= b.y) continue;
+      const Wide height = Wide{b.y} - a.y;
+      // 256 * height * x >= what the edge has there.
+      const Wide first = ceil_quotient(a.x * height + (py - a.y) * (Wide{b.x} - a.x), 256 * height);
+      turns[static_cast<std::size_t>(std::clamp<Wide>(first - left, 0, width))] += direction;
+    }
+  turns.pop_back();
+  for (std::size_t i = 1; i < turns.size(); ++i) turns[i] += turns[i - 1];
+  return turns;
+}
+
 inline bool in_polygon(const Contours& contours, bool even_odd, int x, int y) {
   const int turns = winding(contours, x, y);
   return even_odd ? turns % 2 != 0 : turns != 0;
+}
+
+/// The window's pixels row by row, 1 inside and 0 outside.
+inline std::vector<int> polygon_pixels(const Contours& contours, bool even_odd,
+                                       const intaglio::linear::Rect& clip) {
+  std::vector<int> pixels;
+  for (int y = clip.y; y < clip.y + clip.height; ++y)
+    for (const int turns : winding_row(contours, clip.x, clip.width, y))
+      pixels.push_back((even_odd ? turns % 2 : turns) != 0 ? 1 : 0);
+  return pixels;
 }
 
 /// By three edge functions: positive inside; zero belongs to an edge that runs upwards or, level, to the
@@ -58,6 +95,35 @@ inline bool in_triangle(intaglio::linear::SubPoint a, intaglio::linear::SubPoint
     return distance > 0 || (distance == 0 && top_left);
   };
   return owns(a, b) && owns(b, c) && owns(c, a);
+}
+
+/// The triangle's pixels in a window, a span a row. Each edge function is a line along the row: it leaves a
+/// half-line of pixels, and the row is what all three leave.
+inline std::vector<Span> triangle_spans(intaglio::linear::SubPoint a, intaglio::linear::SubPoint b,
+                                        intaglio::linear::SubPoint c, const intaglio::linear::Rect& clip) {
+  const Wide area = (Wide{b.x} - a.x) * (Wide{c.y} - a.y) - (Wide{b.y} - a.y) * (Wide{c.x} - a.x);
+  std::vector<Span> spans;
+  if (area == 0) return spans;
+  if (area < 0) std::swap(b, c);
+  for (int y = clip.y; y < clip.y + clip.height; ++y) {
+    Wide begin = clip.x;
+    Wide end = Wide{clip.x} + clip.width;
+    const auto cut = [&](auto from, auto to) {
+      const Wide dx = Wide{to.x} - from.x;
+      const Wide dy = Wide{to.y} - from.y;
+      // dx * (256 * y - from.y) - dy * (256 * x - from.x) >= 0, or 1 where the edge doesn't own its centres.
+      const bool top_left = dy < 0 || (dy == 0 && dx > 0);
+      const Wide rest = dx * (Wide{256} * y - from.y) + dy * from.x - (top_left ? 0 : 1);
+      if (dy == 0 && rest < 0) end = begin;
+      if (dy > 0) end = std::min(end, floor_quotient(rest, 256 * dy) + 1);
+      if (dy < 0) begin = std::max(begin, ceil_quotient(rest, 256 * dy));
+    };
+    cut(a, b);
+    cut(b, c);
+    cut(c, a);
+    if (begin < end) spans.push_back({y, static_cast<int>(begin), static_cast<int>(end)});
+  }
+  return spans;
 }
 
 }  // namespace oracle

@@ -4,6 +4,7 @@
 #include <tests/oracle/circle.hpp>
 #include <tests/oracle/random.hpp>
 #include <tests/oracle/recording_sink.hpp>
+#include <tests/oracle/samples.hpp>
 #include <tests/oracle/sector.hpp>
 
 #include <climits>
@@ -69,7 +70,7 @@ TEST(Arc, SmallOnesAreExactForManyAnglesBothWays) {
 TEST(Arc, RandomOnesInWindowsAreExactToTheDomainsEdge) {
   oracle::Random random(36);
   std::string first_fault;
-  for (int i = 0; i < 4000 && first_fault.empty(); ++i) {
+  for (int i = 0; i < oracle::samples(3000, 40000) && first_fault.empty(); ++i) {
     const int radius = random.between(0, limit >> random.between(0, 20));
     const int start = random.between(0, 65535);
     const int sweep = random.between(-65536, 65536);
@@ -179,7 +180,7 @@ TEST(Chord, SmallAndRandomOnesAreExactToTheDomainsEdge) {
     for (int start = 0; start < 65536; start += 2048)
       for (int sweep = -66560; sweep <= 66560 && first_fault.empty(); sweep += 5120)
         first_fault = chord_fault({0, 0}, r, start, sweep, {-10, -10, 21, 21});
-  for (int i = 0; i < 2000 && first_fault.empty(); ++i) {
+  for (int i = 0; i < oracle::samples(1500, 20000) && first_fault.empty(); ++i) {
     const int radius = random.between(0, limit >> random.between(0, 20));
     const int start = random.between(0, 65535);
     const int sweep = random.between(-65536, 65536);

@@ -4,6 +4,8 @@
 #include <tests/oracle/coverage.hpp>
 #include <tests/oracle/level_sink.hpp>
 #include <tests/oracle/random.hpp>
+#include <tests/oracle/samples.hpp>
+#include <tests/raster/contours.hpp>
 
 #include <climits>
 #include <gtest/gtest.h>
@@ -32,27 +34,14 @@ using oracle::Contour;
 using oracle::Contours;
 using oracle::LevelSink;
 using oracle::Random;
+using tests::random_contour;
+using tests::text;
 
 constexpr int limit = 1 << 28;
 
-std::string text(const Contours& contours) {
-  std::string out;
-  for (const auto& contour : contours) {
-    out += "[";
-    for (const SubPoint p : contour) out += "(" + std::to_string(p.x) + "," + std::to_string(p.y) + ")";
-    out += "]";
-  }
-  return out + "/256";
-}
-
 /// The levels in this window; the workspace is exactly as large as the library says it must be.
 LevelSink covered(const Contours& contours, FillRule rule, const Rect& clip) {
-  std::vector<SubPoint> vertices;
-  std::vector<int> lengths;
-  for (const auto& contour : contours) {
-    vertices.insert(vertices.end(), contour.begin(), contour.end());
-    lengths.push_back(static_cast<int>(contour.size()));
-  }
+  const auto [vertices, lengths] = tests::flat(contours);
   const auto needed = coverage_workspace(vertices, lengths, clip);
   EXPECT_TRUE(needed.ok());
   std::vector<CoverageCell> workspace(needed.value());
@@ -81,14 +70,6 @@ std::string fault(const Contours& contours, const Rect& clip) {
   return "";
 }
 
-Contour random_contour(Random& random, int vertices, int bound, int step) {
-  Contour contour;
-  for (int i = 0; i < vertices; ++i)
-    contour.push_back(
-        {random.between(-bound, bound) / step * step, random.between(-bound, bound) / step * step});
-  return contour;
-}
-
 /// A polygon that doesn't cross itself: a chain above the x axis one way, a chain below it the other way. Or
 /// the same along the y axis.
 Contour random_simple(Random& random, int bound, bool upright) {
@@ -109,18 +90,13 @@ Contour random_simple(Random& random, int bound, bool upright) {
 
 /// A small window around a place on an edge.
 Rect window_on(Random& random, const Contour& contour) {
-  const SubPoint a = contour[0];
-  const SubPoint b = contour[1];
-  const int along = random.between(0, 1024);
-  const auto x = static_cast<int>((a.x + (std::int64_t{b.x} - a.x) * along / 1024) / 256);
-  const auto y = static_cast<int>((a.y + (std::int64_t{b.y} - a.y) * along / 1024) / 256);
-  return {std::clamp(x - 2, -(1 << 20), 1 << 20), std::clamp(y - 2, -(1 << 20), 1 << 20), 5, 4};
+  return tests::window_on_edge(contour[0], contour[1], random.between(0, 1024), 5, 4);
 }
 
 TEST(Coverage, TrianglesHaveTheirExactAreaInEveryPixel) {
   Random random(70);
   std::string first_fault;
-  for (int i = 0; i < 120 && first_fault.empty(); ++i) {
+  for (int i = 0; i < oracle::samples(100, 2000) && first_fault.empty(); ++i) {
     static constexpr std::array<int, 4> steps{1, 128, 256, 37};  // 128: along the sides of pixels
     first_fault = fault({random_contour(random, 3, 64 << i % 6, steps[static_cast<std::size_t>(i) % 4])},
                         {-8, -8, 17, 17});
@@ -131,7 +107,7 @@ TEST(Coverage, TrianglesHaveTheirExactAreaInEveryPixel) {
 TEST(Coverage, ConcavePolygonsAndHolesHaveTheirExactArea) {
   Random random(71);
   std::string first_fault;
-  for (int i = 0; i < 80 && first_fault.empty(); ++i) {
+  for (int i = 0; i < oracle::samples(50, 1500) && first_fault.empty(); ++i) {
     Contours contours{random_simple(random, 200 << i % 4, i % 2 == 0)};
     // Around it all, the other way: what is left is a frame with a concave hole.
     if (i % 3 == 0) contours.push_back({{-1700, -1650}, {-1710, 1800}, {1900, 1750}, {1800, -1700}});
@@ -143,7 +119,7 @@ TEST(Coverage, ConcavePolygonsAndHolesHaveTheirExactArea) {
 TEST(Coverage, ContoursThatCrossGiveTheFoldedIntegralOfTheWinding) {
   Random random(72);
   std::string first_fault;
-  for (int i = 0; i < 80 && first_fault.empty(); ++i) {
+  for (int i = 0; i < oracle::samples(50, 1500) && first_fault.empty(); ++i) {
     Contours contours;
     for (int n = 0; n <= i % 3; ++n)
       contours.push_back(random_contour(random, random.between(3, 9), 300 << i % 4, i % 4 == 0 ? 128 : 1));
@@ -155,7 +131,7 @@ TEST(Coverage, ContoursThatCrossGiveTheFoldedIntegralOfTheWinding) {
 TEST(Coverage, IsExactToTheDomainsEdge) {
   Random random(73);
   std::string first_fault;
-  for (int i = 0; i < 1000 && first_fault.empty(); ++i) {
+  for (int i = 0; i < oracle::samples(700, 20000) && first_fault.empty(); ++i) {
     const Contours contours{i % 2 == 0 ? random_contour(random, 3, limit >> i % 19, 1)
                                        : random_simple(random, limit >> i % 19, i % 4 == 1)};
     first_fault = fault(contours, window_on(random, contours[0]));
@@ -172,7 +148,7 @@ TEST(Coverage, IsExactToTheDomainsEdge) {
 TEST(Coverage, SliversAFractionOfAPixelWideAreExact) {
   Random random(74);
   std::string first_fault;
-  for (int i = 0; i < 400 && first_fault.empty(); ++i) {
+  for (int i = 0; i < oracle::samples(300, 10000) && first_fault.empty(); ++i) {
     const SubPoint a{random.between(-limit / 2, limit / 2), random.between(-limit / 2, limit / 2)};
     const SubPoint b{random.between(-limit / 2, limit / 2), random.between(-limit / 2, limit / 2)};
     const Contours contours{

@@ -4,6 +4,8 @@
 #include <tests/oracle/line.hpp>
 #include <tests/oracle/random.hpp>
 #include <tests/oracle/recording_sink.hpp>
+#include <tests/oracle/samples.hpp>
+#include <tests/raster/text.hpp>
 
 #include <climits>
 #include <gtest/gtest.h>
@@ -24,9 +26,7 @@ using intaglio::raster::draw_line;
 using oracle::RecordingSink;
 
 std::string text(Point a, Point b, const Rect& clip) {
-  return "(" + std::to_string(a.x) + "," + std::to_string(a.y) + ")-(" + std::to_string(b.x) + "," +
-         std::to_string(b.y) + ") in " + std::to_string(clip.x) + "," + std::to_string(clip.y) + " " +
-         std::to_string(clip.width) + "x" + std::to_string(clip.height);
+  return tests::text(a) + "-" + tests::text(b) + " in " + tests::text(clip);
 }
 
 // What is wrong with the line in this window; empty if every pixel of the window is drawn once or not at all,
@@ -71,12 +71,16 @@ std::vector<std::pair<int, int>> pixels_of(Point a, Point b, const Rect& clip) {
   return list.pixels;
 }
 
-TEST(Line, EveryLineUpTo64PixelsIsExactInAllOctants) {
+// How far the exhaustive tests go along either axis.
+int exhaustive() { return oracle::samples(48, 128); }
+
+TEST(Line, EveryLineUpTo128PixelsIsExactInAllOctants) {
   // Compared column by column (row by row if steep): one pixel each, the right one, and nothing else.
-  const Rect clip{-70, -70, 141, 141};
+  const Rect clip{-134, -134, 269, 269};
+  const int reach = exhaustive();
   std::string first_fault;
-  for (int dy = -64; dy <= 64 && first_fault.empty(); ++dy)
-    for (int dx = -64; dx <= 64 && first_fault.empty(); ++dx) {
+  for (int dy = -reach; dy <= reach && first_fault.empty(); ++dy)
+    for (int dx = -reach; dx <= reach && first_fault.empty(); ++dx) {
       const bool steep = std::abs(dy) > std::abs(dx);
       std::vector<std::pair<int, int>> expected;
       if (steep)
@@ -95,9 +99,10 @@ TEST(Line, EveryLineUpTo64PixelsIsExactInAllOctants) {
 }
 
 TEST(Line, FromAToBEqualsFromBToA) {
-  const Rect clip{-70, -70, 141, 141};
-  for (int dy = -64; dy <= 64; ++dy)
-    for (int dx = -64; dx <= 64; ++dx)
+  const Rect clip{-134, -134, 269, 269};
+  const int reach = exhaustive();
+  for (int dy = -reach; dy <= reach; ++dy)
+    for (int dx = -reach; dx <= reach; ++dx)
       ASSERT_EQ(pixels_of({0, 0}, {dx, dy}, clip), pixels_of({dx, dy}, {0, 0}, clip)) << dx << "," << dy;
 }
 
@@ -115,6 +120,7 @@ TEST(Line, EveryShortLineInEveryWindowIsTheUnclippedLineRestricted) {
 
 // Random end points up to `limit`, windows near the line so that most see it.
 void random_lines(int limit, int count, unsigned seed) {
+  count = oracle::samples(count, 20 * count);
   oracle::Random random(seed);
   const auto coordinate = [&](int bound) { return random.between(-bound, bound); };
   int visible = 0;

@@ -2,13 +2,14 @@
 #include <intaglio/raster/polygon.hpp>
 #include <intaglio/raster/triangle.hpp>
 #include <tests/oracle/polygon.hpp>
+#include <tests/oracle/random.hpp>
 #include <tests/oracle/recording_sink.hpp>
+#include <tests/raster/contours.hpp>
 
 #include <climits>
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -25,38 +26,19 @@ using intaglio::raster::FillRule;
 using intaglio::raster::polygon_workspace;
 using intaglio::raster::PolygonEdge;
 using oracle::Contours;
+using oracle::Random;
 using oracle::RecordingSink;
+using tests::flat;
+using tests::FlatContours;
+using tests::random_contour;
+using tests::text;
 
 constexpr int limit = 1 << 28;
-
-struct Flat {
-  std::vector<SubPoint> vertices;
-  std::vector<int> lengths;
-};
-
-Flat flat(const Contours& contours) {
-  Flat out;
-  for (const auto& contour : contours) {
-    out.vertices.insert(out.vertices.end(), contour.begin(), contour.end());
-    out.lengths.push_back(static_cast<int>(contour.size()));
-  }
-  return out;
-}
-
-std::string text(const Contours& contours) {
-  std::string out;
-  for (const auto& contour : contours) {
-    out += "[";
-    for (const SubPoint p : contour) out += "(" + std::to_string(p.x) + "," + std::to_string(p.y) + ")";
-    out += "]";
-  }
-  return out + "/256";
-}
 
 // What is wrong with the polygon in this window, by either rule; empty if nothing is. The workspace is
 // exactly as large as the library says it must be.
 std::string fault(const Contours& contours, const Rect& clip) {
-  const Flat polygon = flat(contours);
+  const FlatContours polygon = flat(contours);
   const auto needed = polygon_workspace(polygon.vertices, polygon.lengths, clip);
   if (!needed.ok()) return text(contours) + ": no workspace";
   if (needed.value() > polygon.vertices.size()) return text(contours) + ": more edges than vertices";
@@ -67,83 +49,67 @@ std::string fault(const Contours& contours, const Rect& clip) {
     if (!fill_polygon(sink, rule, polygon.vertices, polygon.lengths, workspace).ok())
       return text(contours) + ": refused";
     if (!sink.violation().empty()) return text(contours) + ": " + sink.violation();
-    for (int y = clip.y; y < clip.bottom(); ++y)
-      for (int x = clip.x; x < clip.right(); ++x)
-        if (sink.writes(x, y) != (oracle::in_polygon(contours, even_odd, x, y) ? 1 : 0))
-          return text(contours) + (even_odd ? " even-odd" : " non-zero") + ": pixel " + std::to_string(x) +
-                 "," + std::to_string(y) + " drawn " + std::to_string(sink.writes(x, y)) + " times\n" +
-                 sink.ascii();
+    if (sink.all_writes() != oracle::polygon_pixels(contours, even_odd, clip))
+      return text(contours) + (even_odd ? " even-odd\n" : " non-zero\n") + sink.ascii();
   }
   return "";
 }
 
-oracle::Contour random_contour(std::mt19937& random, int vertices, int bound, int step) {
-  std::uniform_int_distribution<int> coordinate(-bound, bound);
-  oracle::Contour contour;
-  for (int i = 0; i < vertices; ++i)
-    contour.push_back({coordinate(random) / step * step, coordinate(random) / step * step});
-  return contour;
+TEST(PolygonOracle, RowsAgreeWithPixels) {
+  Random random(49);
+  for (int i = 0; i < 1500; ++i) {
+    Contours contours;
+    for (int n = 0; n <= i % 3; ++n)
+      contours.push_back(i % 2 == 0 ? tests::random_walk(random, random.between(0, 12))
+                                    : random_contour(random, random.between(0, 9), 1500 << i % 8, 1));
+    for (int y = -3; y < 7; ++y) {
+      const std::vector<int> row = oracle::winding_row(contours, -4, 12, y);
+      for (int x = -4; x < 8; ++x)
+        ASSERT_EQ(row[static_cast<std::size_t>(x + 4)], oracle::winding(contours, x, y)) << text(contours);
+    }
+  }
 }
 
 TEST(Polygon, RandomSelfIntersectingContoursAreExactByBothRules) {
-  constexpr unsigned seed = 50;
-  std::mt19937 random(seed);
+  Random random(50);
   std::string first_fault;
   for (int i = 0; i < 2500 && first_fault.empty(); ++i) {
     const int step = i % 3 == 0 ? 256 : i % 3 == 1 ? 128 : 1;  // on pixel centres, between them, anywhere
     Contours contours;
     for (int n = 0; n <= i % 4; ++n)
-      contours.push_back(
-          random_contour(random, static_cast<int>(random() % 12U), 256 << random() % 6U, step));
+      contours.push_back(random_contour(random, random.between(0, 11), 256 << random.between(0, 5), step));
     first_fault = fault(contours, {-17, -17, 35, 35});
   }
-  EXPECT_EQ(first_fault, "") << "seed " << seed;
+  EXPECT_EQ(first_fault, "") << random.seed_text();
 }
 
 TEST(Polygon, ContoursFullOfPlateausCollinearRunsAndRepeatedVerticesAreExact) {
-  constexpr unsigned seed = 51;
-  std::mt19937 random(seed);
+  Random random(51);
   std::string first_fault;
   for (int i = 0; i < 2500 && first_fault.empty(); ++i) {
-    // Steps along one axis or a diagonal on a coarse grid: vertices and edges coincide all the time.
-    Contours contours(1 + static_cast<std::size_t>(i % 3));
-    for (auto& contour : contours) {
-      SubPoint p{static_cast<int>(random() % 9U) * 256, static_cast<int>(random() % 9U) * 256};
-      for (auto n = random() % 20U; n > 0; --n) {
-        contour.push_back(p);
-        const int dx = (static_cast<int>(random() % 3U) - 1) * 512;
-        const int dy = (static_cast<int>(random() % 3U) - 1) * 512;
-        p = {std::clamp(p.x + dx, 0, 2048), std::clamp(p.y + dy, 0, 2048)};
-      }
-    }
+    Contours contours;
+    for (int n = 0; n <= i % 3; ++n) contours.push_back(tests::random_walk(random, random.between(0, 19)));
     first_fault = fault(contours, {-1, -1, 11, 11});
   }
-  EXPECT_EQ(first_fault, "") << "seed " << seed;
+  EXPECT_EQ(first_fault, "") << random.seed_text();
 }
 
 TEST(Polygon, AnyWindowSeesTheUnclippedPolygonToTheDomainsEdge) {
-  constexpr unsigned seed = 52;
-  std::mt19937 random(seed);
+  Random random(52);
   std::string first_fault;
   for (int i = 0; i < 6000 && first_fault.empty(); ++i) {
     const int bound = limit >> i % 19;
     Contours contours;
     for (int n = 0; n <= i % 2; ++n)
-      contours.push_back(random_contour(random, 3 + static_cast<int>(random() % 10U), bound, 1));
-    const SubPoint a = contours[0][0];
-    const SubPoint b = contours[0][1];
-    const auto along = static_cast<int>(random() % 1025U);
-    const int x = static_cast<int>((a.x + (std::int64_t{b.x} - a.x) * along / 1024) / 256);
-    const int y = static_cast<int>((a.y + (std::int64_t{b.y} - a.y) * along / 1024) / 256);
+      contours.push_back(random_contour(random, random.between(3, 12), bound, 1));
     first_fault = fault(
-        contours, {std::clamp(x - 7, -(1 << 20), 1 << 20), std::clamp(y - 5, -(1 << 20), 1 << 20), 14, 11});
+        contours, tests::window_on_edge(contours[0][0], contours[0][1], random.between(0, 1024), 14, 11));
   }
-  EXPECT_EQ(first_fault, "") << "seed " << seed;
+  EXPECT_EQ(first_fault, "") << random.seed_text();
 }
 
 TEST(Polygon, SmallPolygonsInEveryWindowAreTheUnclippedOnesRestricted) {
-  constexpr unsigned seed = 53;
-  std::mt19937 random(seed);
+  Random random(53);
   std::string first_fault;
   for (int i = 0; i < 40; ++i) {
     const Contours contours{random_contour(random, 7, 5 * 256, 1), random_contour(random, 4, 5 * 256, 256)};
@@ -152,20 +118,19 @@ TEST(Polygon, SmallPolygonsInEveryWindowAreTheUnclippedOnesRestricted) {
         for (const Rect clip : {Rect{x, y, 1, 1}, Rect{x, y, 3, 2}, Rect{x, y, 8, 8}})
           if (first_fault.empty()) first_fault = fault(contours, clip);
   }
-  EXPECT_EQ(first_fault, "") << "seed " << seed;
+  EXPECT_EQ(first_fault, "") << random.seed_text();
 }
 
 TEST(Polygon, EqualsAnyTriangulationOfItPixelByPixel) {
-  constexpr unsigned seed = 54;
-  std::mt19937 random(seed);
+  Random random(54);
   for (int i = 0; i < 300; ++i) {
     // A convex ring: sorted by angle around the centre of an ellipse, on sub-pixels.
     std::vector<SubPoint> ring;
     for (int part = 0; part < 12; ++part) {
       static constexpr int cosine[] = {256, 222, 128, 0, -128, -222, -256, -222, -128, 0, 128, 222};
       const int radius = 256 * 18;
-      ring.push_back({cosine[part] * radius / 256 + static_cast<int>(random() % 200U),
-                      cosine[(part + 9) % 12] * radius / 256 + static_cast<int>(random() % 200U)});
+      ring.push_back({cosine[part] * radius / 256 + random.between(0, 199),
+                      cosine[(part + 9) % 12] * radius / 256 + random.between(0, 199)});
     }
     const Rect clip{-22, -22, 45, 45};
     RecordingSink whole(clip);
@@ -177,7 +142,7 @@ TEST(Polygon, EqualsAnyTriangulationOfItPixelByPixel) {
     for (std::size_t k = 1; k + 1 < 12; ++k)
       ASSERT_TRUE(fill_triangle(fan, ring[hub], ring[(hub + k) % 12], ring[(hub + k + 1) % 12]).ok());
     ASSERT_GT(whole.touched(), 900);
-    ASSERT_EQ(whole.all_writes(), fan.all_writes()) << "seed " << seed << ", ring " << i << "\n"
+    ASSERT_EQ(whole.all_writes(), fan.all_writes()) << random.seed_text() << ", ring " << i << "\n"
                                                     << fan.ascii();
   }
 }
@@ -187,7 +152,7 @@ TEST(Polygon, HolesShareTheirBorderWithWhatFillsThem) {
   const std::vector<SubPoint> inner{{2000, 2100}, {5000, 1900}, {6100, 6000}, {1800, 5000}};
   const Rect clip{0, 0, 40, 40};
   RecordingSink both(clip);
-  const Flat holed = flat({outer, inner});
+  const FlatContours holed = flat({outer, inner});
   std::vector<PolygonEdge> workspace(8);
   ASSERT_TRUE(fill_polygon(both, FillRule::even_odd, holed.vertices, holed.lengths, workspace).ok());
   ASSERT_TRUE(fill_polygon(both, FillRule::even_odd, inner, workspace).ok());
@@ -197,15 +162,14 @@ TEST(Polygon, HolesShareTheirBorderWithWhatFillsThem) {
 }
 
 TEST(Polygon, ThousandsOfCrossingEdgesAreExact) {
-  constexpr unsigned seed = 55;
-  std::mt19937 random(seed);
-  EXPECT_EQ(fault({random_contour(random, 1500, 64 * 256, 1)}, {-20, -20, 40, 40}), "") << "seed " << seed;
+  Random random(55);
+  EXPECT_EQ(fault({random_contour(random, 1500, 64 * 256, 1)}, {-20, -20, 40, 40}), "") << random.seed_text();
 }
 
 TEST(Polygon, EdgesWithoutVisibleRowsTakeNoWorkspace) {
   const Rect clip{0, 0, 320, 240};
   const auto needed = [&](const Contours& contours) {
-    const Flat polygon = flat(contours);
+    const FlatContours polygon = flat(contours);
     return polygon_workspace(polygon.vertices, polygon.lengths, clip).value();
   };
   // A coast far outside: above, below, right; and a long one at the left that winds around the window's side.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Three ways to fill a polygon give the same pixels, and for convex ones a fourth. The first is compared with
-// the oracle in polygon.cpp.
+// Three ways to fill a polygon give the pixels of the oracle, and for convex ones a fourth.
 #include <intaglio/raster/convex.hpp>
 #include <intaglio/raster/polygon.hpp>
 #include <intaglio/raster/polygon_basic.hpp>
@@ -9,6 +8,8 @@
 #include <tests/oracle/polygon.hpp>
 #include <tests/oracle/random.hpp>
 #include <tests/oracle/recording_sink.hpp>
+#include <tests/oracle/samples.hpp>
+#include <tests/raster/contours.hpp>
 
 #include <climits>
 #include <gtest/gtest.h>
@@ -23,6 +24,7 @@ namespace {
 using namespace intaglio;
 using linear::Rect;
 using linear::SubPoint;
+using oracle::Contours;
 using oracle::RecordingSink;
 using raster::fill_convex;
 using raster::fill_polygon;
@@ -32,20 +34,14 @@ using raster::FillRule;
 using raster::PolygonChain;
 using raster::PolygonCrossing;
 using raster::PolygonEdge;
+using tests::text;
 
 constexpr int limit = 1 << 28;
 
-std::string text(const std::vector<SubPoint>& vertices, const std::vector<int>& lengths) {
-  std::string out;
-  for (const SubPoint p : vertices) out += "(" + std::to_string(p.x) + "," + std::to_string(p.y) + ")";
-  for (const int length : lengths) out += " " + std::to_string(length);
-  return out + " /256";
-}
-
-// Draws by one of the other ways with exactly the workspace that it says it needs.
+// What is wrong with the pixels that `fill` draws with exactly the workspace that it says it needs.
 template <class Entry, class Fill>
-std::string difference(const RecordingSink& expected, std::size_t vertices, Fill fill) {
-  RecordingSink sink(expected.clip());
+std::string difference(const std::vector<int>& expected, const Rect& clip, std::size_t vertices, Fill fill) {
+  RecordingSink sink(clip);
   std::vector<Entry> workspace;
   Status status = fill(sink, workspace);
   if (!status.ok()) {
@@ -59,29 +55,26 @@ std::string difference(const RecordingSink& expected, std::size_t vertices, Fill
     if (!status.ok()) return "refused what it asked for";
   }
   if (!sink.violation().empty()) return sink.violation();
-  if (sink.all_writes() != expected.all_writes())
-    return "\n" + sink.ascii() + "expected\n" + expected.ascii();
-  return "";
+  return sink.all_writes() == expected ? "" : "\n" + sink.ascii();
 }
 
 // What differs; empty if nothing does.
-std::string difference(const std::vector<SubPoint>& vertices, const std::vector<int>& lengths,
-                       const Rect& clip) {
+std::string difference(const Contours& contours, const Rect& clip) {
+  const auto [vertices, lengths] = tests::flat(contours);
+  const std::size_t count = vertices.size();
   for (const FillRule rule : {FillRule::even_odd, FillRule::non_zero}) {
-    RecordingSink active(clip);
-    std::vector<PolygonEdge> edges(vertices.size());
-    if (!fill_polygon(active, rule, vertices, lengths, edges).ok())
-      return text(vertices, lengths) + " refused";
-    const std::string basic =
-        difference<PolygonCrossing>(active, vertices.size(), [&](auto& sink, auto& workspace) {
-          return fill_polygon_basic(sink, rule, vertices, lengths, workspace);
-        });
-    if (!basic.empty()) return text(vertices, lengths) + " basic: " + basic;
-    const std::string critical =
-        difference<PolygonChain>(active, vertices.size(), [&](auto& sink, auto& workspace) {
-          return fill_polygon_critical(sink, rule, vertices, lengths, workspace);
-        });
-    if (!critical.empty()) return text(vertices, lengths) + " critical: " + critical;
+    const auto expected = oracle::polygon_pixels(contours, rule == FillRule::even_odd, clip);
+    const auto fill = [&, &v = vertices, &l = lengths](auto how) {
+      return [&, how](auto& sink, auto& workspace) { return how(sink, rule, v, l, workspace); };
+    };
+    const std::string faults[] = {
+        difference<PolygonEdge>(expected, clip, count, fill([](auto&... a) { return fill_polygon(a...); })),
+        difference<PolygonCrossing>(expected, clip, count,
+                                    fill([](auto&... a) { return fill_polygon_basic(a...); })),
+        difference<PolygonChain>(expected, clip, count,
+                                 fill([](auto&... a) { return fill_polygon_critical(a...); }))};
+    for (const std::string& fault : faults)
+      if (!fault.empty()) return text(contours) + " way " + std::to_string(&fault - faults) + ": " + fault;
   }
   return "";
 }
@@ -89,44 +82,32 @@ std::string difference(const std::vector<SubPoint>& vertices, const std::vector<
 TEST(PolygonRungs, RandomSelfIntersectingContoursAreEqualInAnyWindow) {
   oracle::Random random(2151);
   std::string first;
-  for (int i = 0; i < 6000 && first.empty(); ++i) {
+  for (int i = 0; i < oracle::samples(3000, 35000) && first.empty(); ++i) {
     const int step = i % 3 == 0 ? 256 : i % 3 == 1 ? 128 : 1;
-    const int bound = 256 << i % 6;
-    std::vector<SubPoint> vertices;
-    std::vector<int> lengths;
-    for (int n = 0; n <= i % 4; ++n) {
-      lengths.push_back(random.between(0, 12));
-      for (int k = 0; k < lengths.back(); ++k)
-        vertices.push_back(
-            {random.between(-bound, bound) / step * step, random.between(-bound, bound) / step * step});
-    }
+    Contours contours;
+    for (int n = 0; n <= i % 4; ++n)
+      contours.push_back(tests::random_contour(random, random.between(0, 12), 256 << i % 6, step));
     const Rect clip = i % 2 == 0 ? Rect{-17, -17, 35, 35}
                                  : Rect{random.between(-16, 10), random.between(-16, 10),
                                         random.between(0, 12), random.between(0, 12)};
-    first = difference(vertices, lengths, clip);
+    first = difference(contours, clip);
   }
   EXPECT_EQ(first, "") << random.seed_text();
 }
 
-// Steps along an axis or a diagonal of a coarse grid: plateaus, several minima on one row, collinear runs,
-// repeated vertices and edges.
 TEST(PolygonRungs, PlateausCollinearRunsAndMinimaOnOneRowAreEqual) {
   oracle::Random random(2152);
   std::string first;
-  for (int i = 0; i < 6000 && first.empty(); ++i) {
-    std::vector<SubPoint> vertices;
-    std::vector<int> lengths;
+  for (int i = 0; i < oracle::samples(3000, 35000) && first.empty(); ++i) {
+    Contours contours;
     for (int n = 0; n <= i % 3; ++n) {
-      lengths.push_back(random.between(0, 24));
-      SubPoint p{random.between(0, 8) * 256, random.between(0, 8) * 256};
-      const int half = i % 2 == 0 ? 0 : 128;
-      for (int k = 0; k < lengths.back(); ++k) {
-        vertices.push_back({p.x + half, p.y + half});
-        p = {std::clamp(p.x + random.between(-1, 1) * 512, 0, 2048),
-             std::clamp(p.y + random.between(-1, 1) * (i % 4 < 2 ? 512 : 256), 0, 2048)};
-      }
+      contours.push_back(tests::random_walk(random, random.between(0, 24)));
+      if (i % 2 == 0)  // half a pixel on: between the pixels' centres
+        for (SubPoint& p : contours.back()) p = {p.x + 128, p.y + 128};
+      if (i % 4 < 2)  // steeper
+        for (SubPoint& p : contours.back()) p.y = p.y / 2;
     }
-    first = difference(vertices, lengths, {-1, -1, 11, 11});
+    first = difference(contours, {-1, -1, 11, 11});
   }
   EXPECT_EQ(first, "") << random.seed_text();
 }
@@ -134,19 +115,10 @@ TEST(PolygonRungs, PlateausCollinearRunsAndMinimaOnOneRowAreEqual) {
 TEST(PolygonRungs, AreEqualToTheDomainsEdge) {
   oracle::Random random(2153);
   std::string first;
-  for (int i = 0; i < 6000 && first.empty(); ++i) {
-    const int bound = limit >> i % 19;
-    std::vector<SubPoint> vertices;
-    for (int k = random.between(3, 12); k > 0; --k)
-      vertices.push_back({random.between(-bound, bound), random.between(-bound, bound)});
-    const SubPoint a = vertices[0];
-    const SubPoint b = vertices[1];
-    const int along = random.between(0, 1024);
-    const int x = static_cast<int>((a.x + (std::int64_t{b.x} - a.x) * along / 1024) / 256);
-    const int y = static_cast<int>((a.y + (std::int64_t{b.y} - a.y) * along / 1024) / 256);
-    constexpr int pixels = 1 << 20;
-    first = difference(vertices, {static_cast<int>(vertices.size())},
-                       {std::clamp(x - 7, -pixels, pixels), std::clamp(y - 5, -pixels, pixels), 14, 11});
+  for (int i = 0; i < oracle::samples(3000, 35000) && first.empty(); ++i) {
+    const Contours contours{tests::random_contour(random, random.between(3, 12), limit >> i % 19, 1)};
+    first = difference(
+        contours, tests::window_on_edge(contours[0][0], contours[0][1], random.between(0, 1024), 14, 11));
   }
   EXPECT_EQ(first, "") << random.seed_text();
 }
@@ -172,8 +144,8 @@ TEST(PolygonRungs, CriticalPointsNeedTwoEntriesForEachMinimum) {
   };
   EXPECT_EQ(needed(saw), 100U);
   EXPECT_EQ(needed(ring), 2U);
-  EXPECT_EQ(difference(saw, {102}, {-10, -10, 120, 60}), "");
-  EXPECT_EQ(difference(ring, {1000}, {-10, -10, 60, 60}), "");
+  EXPECT_EQ(difference({saw}, {-10, -10, 120, 60}), "");
+  EXPECT_EQ(difference({ring}, {-10, -10, 60, 60}), "");
 }
 
 TEST(PolygonRungs, BadArgumentsAreNamedAndNothingIsDrawn) {
@@ -229,7 +201,7 @@ TEST(Convex, EqualsThePolygonFillInAnyWindowEitherWayAround) {
     std::rotate(ring.begin(), ring.begin() + random.between(0, static_cast<int>(ring.size()) - 1),
                 ring.end());
     for (int way = 0; way < 2; ++way) {
-      ASSERT_TRUE(raster::is_convex(ring)) << text(ring, {}) << random.seed_text();
+      ASSERT_TRUE(raster::is_convex(ring)) << text({ring}) << random.seed_text();
       const Rect clip = i % 3 == 0 ? Rect{-3, -4, 9, 8} : Rect{-30, -30, 60, 60};
       RecordingSink expected(clip);
       std::vector<PolygonEdge> workspace(ring.size());
@@ -238,7 +210,7 @@ TEST(Convex, EqualsThePolygonFillInAnyWindowEitherWayAround) {
       ASSERT_TRUE(fill_convex(sink, ring).ok());
       ASSERT_EQ(sink.violation(), "");
       ASSERT_EQ(sink.all_writes(), expected.all_writes())
-          << random.seed_text() << ": " << text(ring, {}) << "\n"
+          << random.seed_text() << ": " << text({ring}) << "\n"
           << sink.ascii() << "expected\n"
           << expected.ascii();
       drawn += expected.touched() > 0 ? 1 : 0;
@@ -269,7 +241,7 @@ TEST(Convex, TrianglesToTheDomainsEdgeAreEqual) {
                          (oracle::in_triangle(triangle[0], triangle[1], triangle[2], px, py) ? 1 : 0)
                      ? 0
                      : 1;
-    ASSERT_EQ(wrong, 0) << random.seed_text() << ": " << text(triangle, {});
+    ASSERT_EQ(wrong, 0) << random.seed_text() << ": " << text({triangle});
   }
 }
 

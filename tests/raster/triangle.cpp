@@ -2,6 +2,7 @@
 #include <intaglio/raster/triangle.hpp>
 #include <tests/oracle/polygon.hpp>
 #include <tests/oracle/recording_sink.hpp>
+#include <tests/raster/text.hpp>
 
 #include <climits>
 #include <gtest/gtest.h>
@@ -22,16 +23,13 @@ using intaglio::linear::Rect;
 using intaglio::linear::SubPoint;
 using intaglio::raster::fill_triangle;
 using oracle::RecordingSink;
+using tests::text;
 
 constexpr int limit = 1 << 28;
 
-std::string text(SubPoint p) { return "(" + std::to_string(p.x) + "," + std::to_string(p.y) + ")"; }
-
 // What is wrong with the triangle in this window; empty if nothing is.
 std::string fault(SubPoint a, SubPoint b, SubPoint c, const Rect& clip) {
-  const std::string what = text(a) + text(b) + text(c) + "/256 in " + std::to_string(clip.x) + "," +
-                           std::to_string(clip.y) + " " + std::to_string(clip.width) + "x" +
-                           std::to_string(clip.height);
+  const std::string what = text(a) + text(b) + text(c) + " in " + text(clip);
   RecordingSink sink(clip);
   const Status status = fill_triangle(sink, a, b, c);
   if (!status.ok()) return what + ": refused";

@@ -72,4 +72,22 @@ inline mpq_class coverage(const Contours& contours, bool even_odd, int x, int y)
   return area > 1 ? mpq_class(2 - area) : area;
 }
 
+/// How much of the square of pixel (x, y) lies to the right of the line from a to b (going along it on a
+/// screen), in closed form: a corner of the square is cut off, less what sticks out of it on two sides.
+inline mpq_class half_plane_area(intaglio::linear::SubPoint a, intaglio::linear::SubPoint b, int x, int y) {
+  const mpz_class dx = mpz_class(b.x) - a.x;
+  const mpz_class dy = mpz_class(b.y) - a.y;
+  const mpq_class distance = dx * (mpz_class(256) * y - a.y) - dy * (mpz_class(256) * x - a.x);
+  const mpq_class across = 256 * abs(dy);
+  const mpq_class down = 256 * abs(dx);
+  const mpq_class reach = distance + (across + down) / 2;
+  if (across == 0 || down == 0) {
+    const mpq_class part = reach / (across + down);
+    return part < 0 ? mpq_class(0) : part > 1 ? mpq_class(1) : part;
+  }
+  const auto square = [](const mpq_class& t) { return t > 0 ? mpq_class(t * t) : mpq_class(0); };
+  return (square(reach) - square(reach - across) - square(reach - down) + square(reach - across - down)) /
+         (2 * across * down);
+}
+
 }  // namespace oracle

@@ -30,7 +30,6 @@
 namespace {
 
 using namespace intaglio;
-using linear::Point;
 using linear::Rect;
 using linear::SubPoint;
 using oracle::Contour;

@@ -60,6 +60,7 @@ enum class Argument : std::uint8_t {
   count,
   rule,
   limit,
+  mask,
 };
 
 /// Success, or one error that names the argument. Four bytes, compares and copies as a word.

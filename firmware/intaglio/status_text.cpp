@@ -91,6 +91,8 @@ const char* to_text(Argument argument) noexcept {
       return "rule";
     case Argument::limit:
       return "limit";
+    case Argument::mask:
+      return "mask";
   }
   return "unknown argument";
 }

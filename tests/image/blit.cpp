@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <intaglio/image/blit.hpp>
 #include <tests/image/formats.hpp>
+#include <tests/image/pictures.hpp>
 #include <tests/image/rules.hpp>
 
 #include <array>
@@ -41,15 +42,9 @@ struct Job {
   Rect clip;       // In the target's coordinates.
 };
 
-Rect random_part(oracle::Random& random) {
-  const int x = random.between(0, width - 1);
-  const int y = random.between(0, height - 1);
-  return {x, y, random.between(1, width - x), random.between(1, height - y)};
-}
-
 Job random_job(oracle::Random& random) {
-  Job job{random_part(random),
-          random_part(random),
+  Job job{tests::random_part(random, width, height),
+          tests::random_part(random, width, height),
           {random.between(-9, 9), random.between(-4, 4)},
           {-100, -100, 200, 200}};
   if (random.between(0, 2) == 0)
@@ -69,20 +64,16 @@ void expect_blit(Packed& target, const Packed& source, const Job& job, const Ind
       const std::optional<unsigned> index = map(read[next++]);
       const int column = job.position.x + x;
       const int row = job.position.y + y;
-      const bool on_target = column >= 0 && column < job.target.width && row >= 0 && row < job.target.height;
-      const bool in_clip = column >= job.clip.x && column < job.clip.x + job.clip.width &&
-                           row >= job.clip.y && row < job.clip.y + job.clip.height;
-      if (index && on_target && in_clip) target.set(job.target.x + column, job.target.y + row, *index);
+      const bool on_target = tests::inside({0, 0, job.target.width, job.target.height}, column, row);
+      if (index && on_target && tests::inside(job.clip, column, row))
+        target.set(job.target.x + column, job.target.y + row, *index);
     }
 }
 
 std::string text(const Job& job) {
-  const auto rect = [](const Rect& r) {
-    return std::to_string(r.x) + ',' + std::to_string(r.y) + ' ' + std::to_string(r.width) + 'x' +
-           std::to_string(r.height);
-  };
-  return "source " + rect(job.source) + " target " + rect(job.target) + " at " +
-         std::to_string(job.position.x) + ',' + std::to_string(job.position.y) + " clip " + rect(job.clip);
+  return "source " + tests::text(job.source) + " target " + tests::text(job.target) + " at " +
+         std::to_string(job.position.x) + ',' + std::to_string(job.position.y) + " clip " +
+         tests::text(job.clip);
 }
 
 /// Draws a job from one memory to another, or within one.
@@ -148,21 +139,13 @@ TYPED_TEST(Blit, BandsOfTheTargetGiveTheWholePicture) {
   Packed from = tests::packed_rows<TypeParam>(width, height);
   from.randomize(random);
   const Picture<TypeParam> source = tests::surface_over<TypeParam>(from, width, height);
-  for (int dx = -5; dx <= 5; ++dx)
-    for (int rows = 1; rows <= height; ++rows) {
-      Packed whole = tests::packed_rows<TypeParam>(width, height);
-      ASSERT_TRUE(blit(tests::surface_over<TypeParam>(whole, width, height), {dx, 1}, source).ok());
-      Packed in_bands = tests::packed_rows<TypeParam>(width, height);
-      for (int y = 0; y < height; y += rows) {
-        const auto rest =
-            std::span(in_bands.bytes()).subspan(static_cast<std::size_t>(y * in_bands.stride()));
-        const auto band =
-            Surface<TypeParam>::over_band(rest, {0, y, width, std::min(rows, height - y)}, in_bands.stride());
-        ASSERT_TRUE(band.ok());
-        ASSERT_TRUE(blit(band.value(), {dx, 1}, source).ok());
-      }
-      ASSERT_EQ(in_bands.bytes(), whole.bytes()) << dx << ' ' << rows;
-    }
+  for (int dx = -5; dx <= 5; ++dx) {
+    Packed whole = tests::packed_rows<TypeParam>(width, height);
+    ASSERT_TRUE(blit(tests::surface_over<TypeParam>(whole, width, height), {dx, 1}, source).ok());
+    tests::expect_bands_give<TypeParam>(whole, width, height, [&](const Surface<TypeParam>& band) {
+      return blit(band, {dx, 1}, source);
+    });
+  }
 }
 
 TYPED_TEST(Blit, ABandAsSourceLandsWithItsCorner) {

@@ -2,6 +2,7 @@
 #include <intaglio/image/rotozoom.hpp>
 #include <intaglio/number/sine.hpp>
 #include <tests/image/formats.hpp>
+#include <tests/image/pictures.hpp>
 #include <tests/image/rules.hpp>
 #include <tests/oracle/rotozoom.hpp>
 #include <tests/oracle/sine.hpp>
@@ -20,7 +21,6 @@ using intaglio::image::blit;
 using intaglio::image::blit_rotozoom;
 using intaglio::image::ColourKey;
 using intaglio::image::Everything;
-using intaglio::image::everywhere;
 using intaglio::image::Indexed1;
 using intaglio::image::Indexed2;
 using intaglio::image::Indexed8;
@@ -61,10 +61,6 @@ std::string text(const Rotozoom& p) {
          std::to_string(p.angle.steps()) + " scale " + std::to_string(p.scale.raw());
 }
 
-bool inside(const Rect& r, int x, int y) {
-  return x >= r.x && x - r.x < r.width && y >= r.y && y - r.y < r.height;
-}
-
 /// Every pixel of a `width` x `height` target asked by itself; the number of pixels shown.
 int expect_rotozoom(Packed& target, const Packed& source, const Rect& part, const Rotozoom& placement,
                     const Rect& clip, const IndexMap& map) {
@@ -74,7 +70,7 @@ int expect_rotozoom(Packed& target, const Packed& source, const Rect& part, cons
     for (int x = 0; x < width; ++x) {
       const Wide column = rule.column(x, y);
       const Wide row = rule.row(x, y);
-      if (column < 0 || column >= part.width || row < 0 || row >= part.height || !inside(clip, x, y))
+      if (column < 0 || column >= part.width || row < 0 || row >= part.height || !tests::inside(clip, x, y))
         continue;
       ++shown;
       const std::optional<unsigned> index =
@@ -121,13 +117,8 @@ using Draw = std::function<Status(Packed& to, Packed& from, const Job& job)>;
 
 /// The number of pixels shown.
 int check(oracle::Random& random, Layout target, Layout source, const IndexMap& map, const Draw& draw) {
-  const int x = random.between(0, most - 1);
-  const int y = random.between(0, most - 1);
-  const Rect part{x, y, random.between(1, most - x), random.between(1, most - y)};
-  Job job{part, random_placement(random, part), everywhere};
-  if (random.between(0, 1) == 0)
-    job.clip = {random.between(-5, 20), random.between(-3, 5), random.between(-1, 30),
-                random.between(-1, 15)};
+  const Rect part = tests::random_part(random, most, most);
+  Job job{part, random_placement(random, part), tests::random_clip(random)};
   Packed to = tests::packed_rows(target, width, height, random.between(0, 3));
   Packed from = tests::packed_rows(source, most, most, random.between(0, 3));
   to.randomize(random);
@@ -227,16 +218,9 @@ TEST(Rotozoom, BandsOfTheTargetAndOfTheSourceGiveTheWholePicture) {
   EXPECT_GT(expect_rotozoom(whole, from, {0, 0, 11, 9}, placement, {0, 0, width, height},
                             [](unsigned index) { return std::optional<unsigned>(index); }),
             100);
-  for (int rows = 1; rows <= height; ++rows) {
-    Packed in_bands = tests::packed_rows<Indexed2>(width, height);
-    for (int y = 0; y < height; y += rows) {
-      const auto rest = std::span(in_bands.bytes()).subspan(static_cast<std::size_t>(y * in_bands.stride()));
-      const auto band = Surface<Indexed2>::over_band(rest, {0, y, width, std::min(rows, height - y)});
-      ASSERT_TRUE(band.ok());
-      ASSERT_TRUE(blit_rotozoom(band.value(), placement, source.value()).ok());
-    }
-    ASSERT_EQ(in_bands.bytes(), whole.bytes()) << rows;
-  }
+  tests::expect_bands_give<Indexed2>(whole, width, height, [&](const Surface<Indexed2>& band) {
+    return blit_rotozoom(band, placement, source.value());
+  });
 }
 
 TEST(Rotozoom, ASourceOfTheLongestSideIsReadToItsLastColumn) {

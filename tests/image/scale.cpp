@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <intaglio/image/scale.hpp>
 #include <tests/image/formats.hpp>
+#include <tests/image/pictures.hpp>
 #include <tests/image/rules.hpp>
 #include <tests/oracle/scale.hpp>
 
@@ -18,7 +19,6 @@ using intaglio::image::blit;
 using intaglio::image::blit_scaled;
 using intaglio::image::ColourKey;
 using intaglio::image::Everything;
-using intaglio::image::everywhere;
 using intaglio::image::Indexed2;
 using intaglio::image::Indexed4;
 using intaglio::image::Indexed8;
@@ -36,21 +36,12 @@ constexpr int limit = 1 << 20;
 constexpr int width = 29;
 constexpr int height = 11;
 
-std::string text(const Rect& r) {
-  return std::to_string(r.x) + ',' + std::to_string(r.y) + ' ' + std::to_string(r.width) + 'x' +
-         std::to_string(r.height);
-}
-
-bool inside(const Rect& r, int x, int y) {
-  return x >= r.x && x - r.x < r.width && y >= r.y && y - r.y < r.height;
-}
-
 /// Every pixel of a `width` x `height` target asked by itself.
 void expect_scaled(Packed& target, const Packed& source, const Rect& part, const Rect& destination,
                    const Rect& clip, const IndexMap& map) {
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
-      if (!inside(destination, x, y) || !inside(clip, x, y)) continue;
+      if (!tests::inside(destination, x, y) || !tests::inside(clip, x, y)) continue;
       const int column = oracle::scaled_source(x - destination.x, part.width, destination.width);
       const int row = oracle::scaled_source(y - destination.y, part.height, destination.height);
       const std::optional<unsigned> index = map(source.get(part.x + column, part.y + row));
@@ -81,15 +72,10 @@ struct Job {
 using Draw = std::function<Status(Packed& to, Packed& from, const Job& job)>;
 
 void check(oracle::Random& random, Layout target, Layout source, const IndexMap& map, const Draw& draw) {
-  const int x = random.between(0, most - 1);
-  const int y = random.between(0, most - 1);
-  const Rect part{x, y, random.between(1, most - x), random.between(1, most - y)};
+  const Rect part = tests::random_part(random, most, most);
   const auto [left, columns] = random_extent(random, width);
   const auto [top, rows] = random_extent(random, height);
-  Job job{part, {left, top, columns, rows}, everywhere};
-  if (random.between(0, 1) == 0)
-    job.clip = {random.between(-5, 20), random.between(-3, 5), random.between(-1, 30),
-                random.between(-1, 12)};
+  Job job{part, {left, top, columns, rows}, tests::random_clip(random)};
   Packed to = tests::packed_rows(target, width, height, random.between(0, 3));
   Packed from = tests::packed_rows(source, most, most, random.between(0, 3));
   to.randomize(random);
@@ -97,8 +83,9 @@ void check(oracle::Random& random, Layout target, Layout source, const IndexMap&
   Packed expected = to;
   expect_scaled(expected, from, job.part, job.destination, job.clip, map);
   ASSERT_TRUE(draw(to, from, job).ok());
-  ASSERT_EQ(to.bytes(), expected.bytes()) << "source " << text(job.part) << " to " << text(job.destination)
-                                          << " clip " << text(job.clip) << ", " << random.seed_text();
+  ASSERT_EQ(to.bytes(), expected.bytes())
+      << "source " << tests::text(job.part) << " to " << tests::text(job.destination) << " clip "
+      << tests::text(job.clip) << ", " << random.seed_text();
 }
 
 template <class F>
@@ -145,16 +132,9 @@ TYPED_TEST(Scale, BandsOfTheTargetAndOfTheSourceGiveTheWholePicture) {
   Packed whole = tests::packed_rows<TypeParam>(width, height);
   expect_scaled(whole, from, {0, 0, 7, 5}, destination, {0, 0, width, height},
                 [](unsigned index) { return std::optional<unsigned>(index); });
-  for (int rows = 1; rows <= height; ++rows) {
-    Packed in_bands = tests::packed_rows<TypeParam>(width, height);
-    for (int y = 0; y < height; y += rows) {
-      const auto rest = std::span(in_bands.bytes()).subspan(static_cast<std::size_t>(y * in_bands.stride()));
-      const auto band = Surface<TypeParam>::over_band(rest, {0, y, width, std::min(rows, height - y)});
-      ASSERT_TRUE(band.ok());
-      ASSERT_TRUE(blit_scaled(band.value(), destination, source.value()).ok());
-    }
-    ASSERT_EQ(in_bands.bytes(), whole.bytes()) << rows;
-  }
+  tests::expect_bands_give<TypeParam>(whole, width, height, [&](const Surface<TypeParam>& band) {
+    return blit_scaled(band, destination, source.value());
+  });
 }
 
 TEST(ScaleStep, EqualsThePredicateAtEveryPixelOfOddAndHugeLengths) {
@@ -197,7 +177,7 @@ TEST(ScaleVisible, APictureOfTheDomainsSizeShowsItsVisiblePartOnly) {
     expect_scaled(expected, from, {0, 0, 5, 3}, destination, {0, 0, width, height},
                   [](unsigned index) { return std::optional<unsigned>(index); });
     ASSERT_TRUE(blit_scaled(tests::surface_over<Indexed8>(to, width, height), destination, source).ok());
-    EXPECT_EQ(to.bytes(), expected.bytes()) << text(destination);
+    EXPECT_EQ(to.bytes(), expected.bytes()) << tests::text(destination);
   }
 }
 

@@ -4,7 +4,8 @@
 //
 // Rule: the pixel of the source's corner lands on `position`; pixels outside the target's bounds or outside
 // `clip` are left out, and nothing else changes. A rule says which indices are copied and what they become:
-// `Everything`, `ColourKey` (all but one index), `Remap` (through a table), `KeyedRemap` (both). Source and
+// `Everything`, `ColourKey` (all but one index), `Remap` (through a table), `KeyedRemap` (both); `Masked` is
+// any of them where a second picture says so. Source and
 // target may overlap in one buffer: the result is as if the source had been read before the first write, for
 // every format, down to pixels within one byte.
 //
@@ -19,6 +20,7 @@
 // pixel.
 #pragma once
 
+#include <intaglio/image/overlap.hpp>
 #include <intaglio/image/row.hpp>
 #include <intaglio/image/surface.hpp>
 
@@ -94,11 +96,64 @@ struct KeyedRemap {
   [[nodiscard]] constexpr unsigned map(unsigned index) const noexcept { return table[index]; }
 };
 
+/// Copies what another rule copies, but only where a mask as large as the source isn't 0: the mask's corner
+/// lies on the source's. Masks of one bit a pixel are the usual ones.
+template <PixelFormat M, class Rule = Everything>
+struct Masked {
+  Picture<M> mask;
+  Rule rule{};
+
+  template <PixelFormat Target, PixelFormat Source>
+  static constexpr bool converts = Rule::template converts<Target, Source>;
+
+  template <PixelFormat Target, PixelFormat Source>
+  [[nodiscard]] constexpr Status check() const noexcept {
+    return rule.template check<Target, Source>();
+  }
+  [[nodiscard]] constexpr bool shows(unsigned index) const noexcept { return rule.shows(index); }
+  [[nodiscard]] constexpr unsigned map(unsigned index) const noexcept { return rule.map(index); }
+};
+template <PixelFormat M, class Byte>
+Masked(PixelView<M, Byte>) -> Masked<M>;
+template <PixelFormat M, class Byte, class Rule>
+Masked(PixelView<M, Byte>, Rule) -> Masked<M, Rule>;
+
 /// A clip that cuts nothing off: every pixel of the coordinate domain that a surface can have.
 inline constexpr linear::Rect everywhere{-linear::coordinate_limit, -linear::coordinate_limit,
                                          2 * linear::coordinate_limit, 2 * linear::coordinate_limit};
 
 namespace detail {
+
+/// A rule that looks at a mask.
+template <class Rule>
+concept HasMask = requires(const Rule& rule) {
+  rule.mask.get(0, 0);
+};
+
+/// True if the rule and the source fit each other and the target.
+template <PixelFormat F, PixelFormat G, class Byte, class Rule>
+[[nodiscard]] constexpr Status check_rule(const Rule& rule, const PixelView<G, Byte>& source) noexcept {
+  if constexpr (HasMask<Rule>)
+    if (rule.mask.size() != source.size()) return {Error::mismatched, Argument::mask};
+  return rule.template check<F, G>();
+}
+
+/// True if drawing on `part` of the target could change the rule's mask. Preconditions as `bytes_meet`.
+template <PixelFormat F, class Rule>
+[[nodiscard]] bool meets_mask(const Rule& rule, const Surface<F>& target, const linear::Rect& part) noexcept {
+  if constexpr (HasMask<Rule>) return bytes_meet(target, part, rule.mask);
+  return false;
+}
+
+/// Shows on pixel (x, y) of the target the pixel `column`, `row` of the source, counted from its corner.
+template <PixelFormat F, PixelFormat G, class Rule>
+constexpr void show_pixel(const Surface<F>& target, int x, int y, const Picture<G>& source, int column,
+                          int row, const Rule& rule) noexcept {
+  if constexpr (HasMask<Rule>)
+    if (rule.mask.get(rule.mask.bounds().x + column, rule.mask.bounds().y + row) == 0) return;
+  const unsigned index = source.get(source.bounds().x + column, source.bounds().y + row);
+  if (rule.shows(index)) target.set(x, y, rule.map(index));
+}
 
 /// True if pixels of both formats lie in memory alike.
 template <PixelFormat F, PixelFormat G>
@@ -200,17 +255,15 @@ void move_row(const Surface<F>& target, linear::Point at, const Picture<G>& sour
     shift_run<F>(run, first, (slot + width - 1) >> F::byte_shift, slots, walk);
 }
 
-/// Copies a row pixel by pixel. The views come by value: writing a pixel can't change them then, and the
-/// compiler needn't load them again.
+/// Copies a row pixel by pixel; `from` is counted from the source's corner. The views come by value: writing
+/// a pixel can't change them then, and the compiler needn't load them again.
 template <PixelFormat F, PixelFormat G, class Rule>
 void blit_row(const Surface<F> target, linear::Point at, const Picture<G> source, linear::Point from,
               int width, Walk walk, const Rule rule) noexcept {
   const int step = walk == Walk::backwards ? -1 : 1;
   int column = walk == Walk::backwards ? width - 1 : 0;
-  for (int left = width; left > 0; --left, column += step) {
-    const unsigned index = source.get(from.x + column, from.y);
-    if (rule.shows(index)) target.set(at.x + column, at.y, rule.map(index));
-  }
+  for (int left = width; left > 0; --left, column += step)
+    show_pixel(target, at.x + column, at.y, source, from.x + column, from.y, rule);
 }
 
 }  // namespace detail
@@ -218,7 +271,8 @@ void blit_row(const Surface<F> target, linear::Point at, const Picture<G> source
 /// Copies `source` so that the corner of its bounds lands on `position`, in the coordinates of `target`.
 /// Errors: position (outside the domain), rectangle (the clip is), colour (a key that the source's format
 /// can't hold), table (shorter than the source's format asks for, or with an entry that the target's can't
-/// hold), source (overlaps the target in another format or stride). Nothing is drawn on error.
+/// hold), source (overlaps the target in another format or stride), mask (mismatched: it isn't as large as
+/// the source, or its memory meets that of the target inside `clip`). Nothing is drawn on error.
 template <PixelFormat F, PixelFormat G, class Byte, class Rule = Everything>
 requires(Rule::template converts<F, G>) Status
     blit(const Surface<F>& target, linear::Point position, const PixelView<G, Byte>& source,
@@ -226,7 +280,7 @@ requires(Rule::template converts<F, G>) Status
 noexcept {
   if (!linear::in_domain(position)) return {Error::out_of_domain, Argument::position};
   if (!linear::in_domain(clip)) return {Error::out_of_domain, Argument::rectangle};
-  if (const Status status = rule.template check<F, G>(); !status.ok()) return status;
+  if (const Status status = detail::check_rule<F>(rule, source); !status.ok()) return status;
   const linear::Rect placed{position.x, position.y, source.size().width, source.size().height};
   const linear::Rect part = linear::intersect(linear::intersect(placed, target.bounds()), clip);
   if (part.empty()) return {};
@@ -237,6 +291,7 @@ noexcept {
   const detail::Walk walk =
       detail::walk_between(target, {part.x, part.y}, picture, from, {part.width, part.height});
   if (walk == detail::Walk::impossible) return {Error::mismatched, Argument::source};
+  if (detail::meets_mask(rule, target, part)) return {Error::mismatched, Argument::mask};
 
   const int step = walk == detail::Walk::backwards ? -1 : 1;
   int row = walk == detail::Walk::backwards ? part.height - 1 : 0;
@@ -246,7 +301,8 @@ noexcept {
     if constexpr (std::same_as<Rule, Everything> && detail::same_layout<F, G>)
       detail::move_row(target, to_row, picture, from_row, part.width, walk);
     else
-      detail::blit_row(target, to_row, picture, from_row, part.width, walk, rule);
+      detail::blit_row(target, to_row, picture, {part.x - position.x, part.y - position.y + row}, part.width,
+                       walk, rule);
   }
   return {};
 }

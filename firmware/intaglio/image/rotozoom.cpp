@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <intaglio/image/rotozoom.hpp>
+#include <intaglio/image/steps.hpp>
 #include <intaglio/number/long_division.hpp>
 #include <intaglio/number/sine.hpp>
 
@@ -22,32 +23,6 @@ std::int32_t per_target_pixel(number::Fixed<15> factor, number::Fixed<16> scale)
   const std::uint64_t dividend = (magnitude << 17U) + divisor / 2U;
   const auto step = static_cast<std::int32_t>(number::long_divide(dividend, divisor).quotient);
   return negative ? -step : step;
-}
-
-/// The numbers first .. last-1.
-struct Range {
-  int first;
-  int last;
-};
-
-/// The smallest n in 0 .. count with n * step >= height; count if there is none. 1 <= step <= 2^24.
-int steps_to(std::int64_t height, std::int32_t step, int count) noexcept {
-  if (height <= 0) return 0;
-  if (height > std::int64_t{step} * count) return count;
-  const auto divisor = static_cast<std::uint32_t>(step);
-  return static_cast<int>(
-      number::long_divide(static_cast<std::uint64_t>(height) + divisor - 1U, divisor).quotient);
-}
-
-/// The n in 0 .. count-1 with 0 <= start + n * step < limit.
-Range steps_inside(std::int64_t start, std::int32_t step, std::int64_t limit, int count) noexcept {
-  if (step == 0) return {0, start >= 0 && start < limit ? count : 0};
-  // A falling place is a rising one seen from the other end.
-  if (step < 0) {
-    start = limit - 1 - start;
-    step = -step;
-  }
-  return {steps_to(-start, step, count), steps_to(limit - start, step, count)};
 }
 
 }  // namespace
@@ -75,8 +50,8 @@ RotozoomRun RotozoomMap::run(int left, int y, int width) const noexcept {
   // In 2^-24 pixel, then in 2^-16: rounding down loses nothing, as the steps are whole multiples of 2^-16.
   const std::int64_t column = (pivot_.x * sub_pixel + half_pixel + along_ * dx + across_ * dy) >> 8;
   const std::int64_t row = (pivot_.y * sub_pixel + half_pixel - across_ * dx + along_ * dy) >> 8;
-  const Range columns = steps_inside(column, along_, source_.width * one_pixel, width);
-  const Range rows = steps_inside(row, -across_, source_.height * one_pixel, width);
+  const StepRange columns = steps_inside(column, along_, source_.width * one_pixel, width);
+  const StepRange rows = steps_inside(row, -across_, source_.height * one_pixel, width);
   const int first = std::max(columns.first, rows.first);
   const int last = std::min(columns.last, rows.last);
   if (first >= last) return {0, 0, 0, 0};

@@ -98,7 +98,7 @@ class RotozoomMap {
 /// Shows `source` on `target` by the rule at the head of this file; pixels outside the target's bounds or
 /// outside `clip` stay as they are.
 /// Errors: position, point (the pivot; each outside the domain of sub-pixels), out_of_range size (the scale),
-/// too_large source (a side above 2^16), rectangle (the clip is outside the domain), colour, table (as
+/// too_large source (a side above 2^16), rectangle (the clip is outside the domain), colour, table, mask (as
 /// `blit`), mismatched source (its memory meets that of the target inside `clip`). Nothing is drawn on error.
 template <PixelFormat F, PixelFormat G, class Byte, class Rule = Everything>
 requires(Rule::template converts<F, G>) Status
@@ -107,7 +107,7 @@ requires(Rule::template converts<F, G>) Status
 noexcept {
   if (const Status status = detail::check_rotozoom(placement, source.size()); !status.ok()) return status;
   if (!linear::in_domain(clip)) return {Error::out_of_domain, Argument::rectangle};
-  if (const Status status = rule.template check<F, G>(); !status.ok()) return status;
+  if (const Status status = detail::check_rule<F>(rule, source); !status.ok()) return status;
   const linear::Rect part = linear::intersect(target.bounds(), clip);
   if (part.empty() || source.empty()) return {};
   // By value, as the rule below: writing a pixel can't change them then.
@@ -115,18 +115,16 @@ noexcept {
   const Surface<F> surface = target;
   const Rule shown = rule;
   if (detail::bytes_meet(surface, part, picture)) return {Error::mismatched, Argument::source};
+  if (detail::meets_mask(shown, surface, part)) return {Error::mismatched, Argument::mask};
 
   const detail::RotozoomMap map(placement, picture.size());
   const std::uint32_t column_step = map.column_step();
   const std::uint32_t row_step = map.row_step();
-  const linear::Rect from = picture.bounds();
   for (int y = part.y; y < part.bottom(); ++y) {
     detail::RotozoomRun run = map.run(part.x, y, part.width);
-    for (; run.first < run.last; ++run.first, run.column += column_step, run.row += row_step) {
-      const unsigned index = picture.get(from.x + static_cast<int>(run.column >> 16U),
-                                         from.y + static_cast<int>(run.row >> 16U));
-      if (shown.shows(index)) surface.set(part.x + run.first, y, shown.map(index));
-    }
+    for (; run.first < run.last; ++run.first, run.column += column_step, run.row += row_step)
+      detail::show_pixel(surface, part.x + run.first, y, picture, static_cast<int>(run.column >> 16U),
+                         static_cast<int>(run.row >> 16U), shown);
   }
   return {};
 }

@@ -67,7 +67,7 @@ class ScaleStep {
 /// this file; pixels outside the target's bounds or outside `clip` stay as they are. A destination without a
 /// pixel draws nothing.
 /// Errors: position (the destination's corner is outside the domain), size (its width or height is beyond
-/// 2^21), rectangle (the clip is outside the domain), colour, table (as `blit`), mismatched source (the
+/// 2^21), rectangle (the clip is outside the domain), colour, table, mask (as `blit`), mismatched source (the
 /// memory between the first and last visible pixel of the target meets the memory between the first and last
 /// byte of the source: so do neighbours in one frame). Nothing is drawn on error.
 template <PixelFormat F, PixelFormat G, class Byte, class Rule = Everything>
@@ -79,7 +79,7 @@ noexcept {
     return {Error::out_of_domain, Argument::position};
   if (!linear::in_domain(destination)) return {Error::out_of_domain, Argument::size};
   if (!linear::in_domain(clip)) return {Error::out_of_domain, Argument::rectangle};
-  if (const Status status = rule.template check<F, G>(); !status.ok()) return status;
+  if (const Status status = detail::check_rule<F>(rule, source); !status.ok()) return status;
   const linear::Rect part = linear::intersect(linear::intersect(destination, target.bounds()), clip);
   if (part.empty() || source.empty()) return {};
   // By value, as the rule below: writing a pixel can't change them then.
@@ -87,16 +87,15 @@ noexcept {
   const Surface<F> surface = target;
   const Rule shown = rule;
   if (detail::bytes_meet(surface, part, picture)) return {Error::mismatched, Argument::source};
+  if (detail::meets_mask(shown, surface, part)) return {Error::mismatched, Argument::mask};
 
-  const linear::Rect from = picture.bounds();
+  const linear::Size from = picture.size();
   const auto first_column = detail::ScaleStep::at(part.x - destination.x, from.width, destination.width);
   auto row = detail::ScaleStep::at(part.y - destination.y, from.height, destination.height);
   for (int y = part.y; y < part.bottom(); ++y, row.advance()) {
     auto column = first_column;
-    for (int x = part.x; x < part.right(); ++x, column.advance()) {
-      const unsigned index = picture.get(from.x + column.index(), from.y + row.index());
-      if (shown.shows(index)) surface.set(x, y, shown.map(index));
-    }
+    for (int x = part.x; x < part.right(); ++x, column.advance())
+      detail::show_pixel(surface, x, y, picture, column.index(), row.index(), shown);
   }
   return {};
 }

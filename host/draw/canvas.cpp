@@ -174,6 +174,16 @@ struct Drawer {
       workspace.resize(2 * std::size_t{status.needed()});
     }
   }
+  Status operator()(const Sprite& s) const {
+    const Result<SpriteImage> shown = SpriteImage::create(s, surface.size());
+    if (!shown.ok()) return shown.status();
+    const linear::Rect clip = sink.clip();
+    for (int y = clip.y; y < clip.bottom(); ++y)
+      for (int x = clip.x; x < clip.right(); ++x)
+        if (const int index = shown.value().index(x, y); index >= 0)
+          sink.over(typename Sink::Counted(surface, static_cast<unsigned>(index))).span(y, x, x + 1);
+    return {};
+  }
   Status operator()(const Text& t) const {
     return intaglio::text::draw_text(sink, *t.font, t.top_left, t.utf8);
   }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <host/draw/combination.hpp>
+#include <host/draw/sprite.hpp>
 #include <intaglio/linear/rect.hpp>
 #include <intaglio/number/angle.hpp>
 #include <intaglio/raster/flood.hpp>
@@ -117,9 +118,9 @@ struct Text {
   linear::Point top_left;
   std::string utf8;
 };
-using Primitive =
-    std::variant<Pixel, Line, Dashes, ThickLine, Polyline, Rectangle, Circle, DiametricCircle, Ellipse, Ring,
-                 Arc, EllipseArc, RoundRectangle, Triangle, Polygon, Combination, Coverage, FloodFill, Text>;
+using Primitive = std::variant<Pixel, Line, Dashes, ThickLine, Polyline, Rectangle, Circle, DiametricCircle,
+                               Ellipse, Ring, Arc, EllipseArc, RoundRectangle, Triangle, Polygon, Combination,
+                               Coverage, FloodFill, Text, Sprite>;
 
 /// The pixels of a polygon on a canvas, with the memory they lie in.
 class PolygonWindow {

@@ -43,8 +43,14 @@ std::string_view language_help() {
                              two polygons combined, each by evenodd and within 2048 pixels; draws the result, and
                              prints its contours, exactly, as `contour X Y X Y ...`, and its area as `area N/D`
   flood 4|8 X Y              the pixels around X Y of its index, joined by 4 or 8 neighbours inside the clip
+  sprite FILE X Y [SCALE ANGLE]
+                             a PNG with its top left at X Y, each pixel in the nearest colour of the palette; those
+                             less than half opaque are left out. SCALE (1/256 to 256) and ANGLE (in 1/65536 turn,
+                             clockwise) are about its middle, which stays
+  stretch FILE X Y W H       a PNG in this rectangle
   method NAME                how the next primitive is drawn, to the same pixels: triangle walk (the default), box,
-                             blocks; polygon active (the default), basic, critical
+                             blocks; polygon active (the default), basic, critical. To others: sprite with an
+                             angle zoom (the default), shear (no pixel is lost or doubled; SCALE must be 1)
   font NAME                  fixed_6x13 (the default), fixed_5x8, sans_11, digits_16, digits_28, digits_48
   text X Y "UTF-8"           top left of the text; escapes \" \\ and \n (next line)
 The surface is black (index 0) at first. Coordinates are whole pixels up to 2^20 either way, and may lie outside

@@ -57,6 +57,10 @@ constexpr auto joins = std::to_array<std::pair<std::string_view, Join>>(
 constexpr auto caps = std::to_array<std::pair<std::string_view, Cap>>(
     {{"butt", Cap::butt}, {"square", Cap::square}, {"round", Cap::round}});
 
+// For sprites that are turned.
+constexpr std::array<std::pair<std::string_view, SpriteMethod>, 2> turning_methods{
+    {{"zoom", SpriteMethod::zoom}, {"shear", SpriteMethod::shear}}};
+
 /// What is wrong, in the library's words.
 std::string in_words(Status status) {
   std::string words = fmt::format("{} {}", to_text(status.argument()), to_text(status.error()));
@@ -296,6 +300,34 @@ class Interpreter {
     pending_ = FloodFill{in.point("x", "y"), connectivity};
   }
 
+  void sprite(Arguments& in) {
+    Sprite sprite;
+    const std::string& file = in.word("file").text;
+    const Point corner = in.point("x", "y");
+    sprite.area = {corner.x, corner.y, 0, 0};
+    if (in.left() > 0) {
+      sprite.scale = in.subpixel("scale");
+      if (sprite.scale < 1 || sprite.scale > 1 << 16) throw Failure("the scale must be 1/256 to 256");
+      sprite.angle = intaglio::number::Angle::from_steps(in.whole("angle"));
+      sprite.method = chosen(turning_methods);
+      if (sprite.method == SpriteMethod::shear && sprite.scale != linear::subpixel_one)
+        throw Failure("by shears a sprite keeps its size: the scale must be 1");
+    }
+    in.end();
+    sprite.picture = read_sprite(file, canvas_->palette());
+    pending_ = std::move(sprite);
+  }
+
+  void stretch(Arguments& in) {
+    Sprite sprite;
+    const std::string& file = in.word("file").text;
+    sprite.method = SpriteMethod::stretch;
+    sprite.area = in.rectangle();
+    in.end();
+    sprite.picture = read_sprite(file, canvas_->palette());
+    pending_ = std::move(sprite);
+  }
+
   void text(Arguments& in) {
     const Point top_left = in.point("x", "y");
     const Word& string = in.word("text");
@@ -388,6 +420,8 @@ class Interpreter {
       {"coverage", &Interpreter::coverage},
       {"boolean", &Interpreter::boolean},
       {"flood", &Interpreter::flood},
+      {"sprite", &Interpreter::sprite},
+      {"stretch", &Interpreter::stretch},
       {"text", &Interpreter::text},
   });
 

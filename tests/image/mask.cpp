@@ -22,7 +22,6 @@ using image::Indexed8;
 using image::Masked;
 using image::Picture;
 using image::Surface;
-using linear::Rect;
 using oracle::Packed;
 
 constexpr int width = 31;

@@ -15,7 +15,6 @@ namespace {
 using intaglio::Argument;
 using intaglio::Error;
 using intaglio::Status;
-using intaglio::image::blit;
 using intaglio::image::blit_three_shear;
 using intaglio::image::ColourKey;
 using intaglio::image::Everything;

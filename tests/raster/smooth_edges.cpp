@@ -8,6 +8,8 @@
 #include <tests/oracle/level_sink.hpp>
 #include <tests/oracle/random.hpp>
 #include <tests/oracle/samples.hpp>
+#include <tests/raster/contours.hpp>
+#include <tests/raster/half_planes.hpp>
 
 #include <climits>
 #include <gtest/gtest.h>
@@ -33,14 +35,9 @@ using raster::Cap;
 using raster::CoverageCell;
 using raster::draw_smooth_line;
 using raster::fill_convex_pitteway;
+using tests::half_plane;
 
 constexpr int limit = 1 << 28;
-
-std::string text(const Contour& contour) {
-  std::string out;
-  for (const SubPoint p : contour) out += "(" + std::to_string(p.x) + "," + std::to_string(p.y) + ")";
-  return out + "/256";
-}
 
 LevelSink line_levels(SubPoint a, SubPoint b, int width, Cap cap, const Rect& clip) {
   LevelSink sink(clip);
@@ -133,15 +130,9 @@ TEST(SmoothLine, BadArgumentsAreNamedAndNothingIsHandedOver) {
 
 LevelSink pitteway(const Contour& contour, const Rect& clip) {
   LevelSink sink(clip);
-  EXPECT_TRUE(fill_convex_pitteway(sink, contour).ok()) << text(contour);
-  EXPECT_FALSE(sink.bad()) << text(contour);
+  EXPECT_TRUE(fill_convex_pitteway(sink, contour).ok()) << tests::text(oracle::Contours{contour});
+  EXPECT_FALSE(sink.bad()) << tests::text(oracle::Contours{contour});
   return sink;
-}
-
-/// A large quadrilateral of which only the side from a to b comes near the middle; the inside is to its
-/// right.
-Contour half_plane(SubPoint a, SubPoint b) {
-  return {a, b, {b.x + a.y - b.y, b.y + b.x - a.x}, {a.x + a.y - b.y, a.y + b.x - a.x}};
 }
 
 TEST(Pitteway, OnePixelAStepIsAtMostAnEighthOfTheSlopeFromTheArea) {
@@ -166,8 +157,8 @@ TEST(Pitteway, OnePixelAStepIsAtMostAnEighthOfTheSlopeFromTheArea) {
         const mpq_class off = abs(255 * oracle::coverage({contour}, true, x, y) - sink.level(x, y));
         worst = std::max(worst, off);
         if (off > 255 * slope / 8 + mpq_class(1, 2))
-          fault = text(contour) + " pixel " + std::to_string(x) + "," + std::to_string(y) + " off by " +
-                  std::to_string(off.get_d());
+          fault = tests::text(oracle::Contours{contour}) + " pixel " + std::to_string(x) + "," +
+                  std::to_string(y) + " off by " + std::to_string(off.get_d());
       }
     // Along the major axis no step has a second pixel between nothing and full.
     for (int step = -6; step < 7; ++step) {
@@ -176,7 +167,8 @@ TEST(Pitteway, OnePixelAStepIsAtMostAnEighthOfTheSlopeFromTheArea) {
         const int level = dx >= dy ? sink.level(step, across) : sink.level(across, step);
         between += level != 0 && level != 255 ? 1 : 0;
       }
-      if (between > 1) fault = text(contour) + ": two pixels in step " + std::to_string(step);
+      if (between > 1)
+        fault = tests::text(oracle::Contours{contour}) + ": two pixels in step " + std::to_string(step);
     }
   }
   EXPECT_EQ(fault, "") << random.seed_text();

@@ -12,7 +12,7 @@
 #include <intaglio/raster/ellipse.hpp>
 #include <intaglio/raster/ellipse_arc.hpp>
 #include <intaglio/raster/flood.hpp>
-#include <intaglio/raster/line.hpp>
+#include <intaglio/raster/line_rungs.hpp>
 #include <intaglio/raster/pixel.hpp>
 #include <intaglio/raster/polygon_basic.hpp>
 #include <intaglio/raster/polygon_critical.hpp>
@@ -71,7 +71,23 @@ struct Drawer {
   const Pen& pen;
 
   Status operator()(const Pixel& p) const { return raster::draw_pixel(sink, p.at); }
-  Status operator()(const Line& l) const { return raster::draw_line(sink, l.from, l.to); }
+  Status operator()(const Line& l) const {
+    const auto whole = [](linear::SubPoint p) {
+      return linear::Point{p.x / linear::subpixel_one, p.y / linear::subpixel_one};
+    };
+    const linear::Point from = whole(l.from);
+    const linear::Point to = whole(l.to);
+    switch (l.method) {
+      case LineMethod::line1:
+        return raster::draw_line_by<raster::RoundedLine>(sink, from, to);
+      case LineMethod::line2:
+        return raster::draw_line_by<raster::SplitErrorLine>(sink, from, to);
+      case LineMethod::distance:
+        return raster::draw_line_by<raster::DistanceLine>(sink, from, to);
+      default:
+        return raster::draw_line(sink, l.from, l.to);
+    }
+  }
   Status operator()(const Dashes& d) const {
     return raster::draw_dashed_line(sink, d.from, d.to, d.on, d.off);
   }

@@ -31,8 +31,10 @@ namespace linear = intaglio::linear;
 struct Pixel {
   linear::Point at;
 };
+enum class LineMethod : std::uint8_t { exact, line1, line2, distance };
 struct Line {
-  linear::SubPoint from, to;
+  linear::SubPoint from, to;  ///< Whole pixels, but for the exact method.
+  LineMethod method{};
 };
 struct Dashes {
   int on = 0;

@@ -45,6 +45,11 @@ constexpr auto fonts = std::to_array<std::pair<std::string_view, const Font*>>({
 });
 
 // The methods that draw a primitive; the first is what it takes without being told.
+constexpr auto line_methods =
+    std::to_array<std::pair<std::string_view, LineMethod>>({{"exact", LineMethod::exact},
+                                                            {"line1", LineMethod::line1},
+                                                            {"line2", LineMethod::line2},
+                                                            {"distance", LineMethod::distance}});
 constexpr std::array<std::pair<std::string_view, TriangleMethod>, 3> triangle_methods{
     {{"walk", TriangleMethod::walk}, {"box", TriangleMethod::box}, {"blocks", TriangleMethod::blocks}}};
 constexpr std::array<std::pair<std::string_view, PolygonMethod>, 3> polygon_methods{
@@ -174,7 +179,11 @@ class Interpreter {
   void pixel(Arguments& in) { pending_ = Pixel{in.point("x", "y")}; }
   void line(Arguments& in) {
     const SubPoint from = in.subpoint("x0", "y0");
-    pending_ = Line{from, in.subpoint("x1", "y1")};
+    const SubPoint to = in.subpoint("x1", "y1");
+    const LineMethod method = chosen(line_methods);
+    if (method != LineMethod::exact && ((from.x | from.y | to.x | to.y) & (linear::subpixel_one - 1)) != 0)
+      throw Failure("this method needs whole pixels");
+    pending_ = Line{from, to, method};
   }
   void dash(Arguments& in) {
     const int on = in.whole("on");

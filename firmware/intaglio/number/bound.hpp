@@ -18,6 +18,7 @@ enum class Unit : std::uint8_t {
   lsb,      ///< The last place of the result itself (for integers: 1).
   lsb_q15,  ///< 2^-15.
   lsb_q16,  ///< 2^-16.
+  pixel,    ///< The distance of two pixels.
 };
 
 /// |computed - true| <= thousandths / 1000 of the unit.
@@ -35,6 +36,8 @@ struct Bound {
 [[nodiscard]] constexpr Bound lsb_q16(std::int32_t thousandths) noexcept {
   return {thousandths, Unit::lsb_q16};
 }
+
+[[nodiscard]] constexpr Bound pixels(std::int32_t thousandths) noexcept { return {thousandths, Unit::pixel}; }
 
 /// A way of computing a value: callable without state, with its error bound.
 template <class R>

@@ -66,6 +66,16 @@ TEST(Draw, Line) {
                 [](int x, int y) { return oracle::on_sub_line(576, 768, 11520, 4480, x, y); });
 }
 
+TEST(Draw, LineMethods) {
+  for (const std::string method : {"exact", "line1", "line2", "distance"})
+    expect_pixels("method " + method + "\nline 2 3 45 17",
+                  [](int x, int y) { return oracle::on_line(2, 3, 45, 17, x, y); });
+  // After a hundred thousand pixels a slope of 16 fraction bits shows.
+  const std::string line = "line -99960 36773 40 10";
+  EXPECT_EQ(draw("method line2\n" + line)->indices(), draw(line)->indices());
+  EXPECT_NE(draw("method line1\n" + line)->indices(), draw(line)->indices());
+}
+
 TEST(Draw, Dash) {
   expect_pixels("dash 3 2 45 17 2 3", [](int x, int y) { return oracle::on_dash(45, 17, 2, 3, 3, 2, x, y); });
   expect_pixels("dash 7 4 1000000 -900000 -1000000 900001",
@@ -469,6 +479,10 @@ TEST(DrawErrors, SayTheLineTheCommandAndWhatIsWrong) {
       {"S\ntriangle 0 0 1 0 1", "line 2: triangle: y is missing"},
       {"S\ntriangle 0 0 1 0 1 1e3", "line 2: triangle: y must be a number, not '1e3'"},
       {"S\ntriangle 0 0 1 0 1 1048576.1", "line 2: triangle: point out of domain"},
+      {"S\nmethod basic\nline 0 0 9 9",
+       "line 3: line: no method 'basic'; there are exact line1 line2 distance"},
+      {"S\nmethod line1\nline 0 0 9.5 9", "line 3: line: this method needs whole pixels"},
+      {"S\nmethod line2\nline 0 0 9 1048577", "line 3: line: point out of domain"},
       {"S\nmethod basic\ntriangle 0 0 9 0 0 9",
        "line 3: triangle: no method 'basic'; there are walk box blocks"},
       {"S\nmethod box\npolygon evenodd 0 0 9 0 0 9",

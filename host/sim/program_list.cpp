@@ -6,7 +6,7 @@
 namespace host {
 
 std::span<const Program> programs() {
-  static const std::array all{gauges_program, map_program, testcard_program};
+  static const std::array all{gauges_program, map_program, primitives_program, testcard_program};
   return all;
 }
 

@@ -9,6 +9,7 @@ namespace host {
 
 extern const Program gauges_program;
 extern const Program map_program;
+extern const Program primitives_program;
 extern const Program testcard_program;
 
 }  // namespace host

@@ -15,7 +15,6 @@
 #include <intaglio/image/surface.hpp>
 #include <intaglio/linear/rect.hpp>
 #include <intaglio/number/angle.hpp>
-#include <intaglio/number/sine.hpp>
 #include <intaglio/present/screen_info.hpp>
 #include <intaglio/raster/circle.hpp>
 #include <intaglio/raster/disc.hpp>
@@ -29,6 +28,7 @@
 
 #include <array>
 #include <cstdint>
+#include <firmware/apps/place.hpp>
 #include <span>
 
 namespace apps::testcard {
@@ -89,15 +89,6 @@ class TestCard {
   /// An index other than the background's, spread over those there are.
   static constexpr unsigned shade(unsigned sixteenths) noexcept {
     return 1U + sixteenths * (bright - 1U) / 16U;
-  }
-
-  /// The place at a distance (1/256 pixel, below 2^16) and angle from a centre.
-  static SubPoint around(Point centre, int distance, Angle angle) {
-    constexpr int one = 1 << 15;
-    const int across = distance * (intaglio::number::cosine(angle).raw() / 2) / (one / 2);
-    const int down = distance * (intaglio::number::sine(angle).raw() / 2) / (one / 2);
-    return {centre.x * intaglio::linear::subpixel_one + across,
-            centre.y * intaglio::linear::subpixel_one + down};
   }
 
   template <class Keep>

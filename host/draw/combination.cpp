@@ -11,7 +11,6 @@ namespace {
 using intaglio::Argument;
 using intaglio::Status;
 using intaglio::clip::BooleanPiece;
-using intaglio::clip::BooleanRule;
 using intaglio::clip::BooleanVertex;
 
 struct Result {
@@ -49,20 +48,6 @@ mpq_class coordinate(std::int64_t numerator, std::int64_t denominator) {
 }
 
 }  // namespace
-
-bool taken(BooleanRule rule, bool in_a, bool in_b) {
-  switch (rule) {
-    case BooleanRule::intersection:
-      return in_a && in_b;
-    case BooleanRule::join:
-      return in_a || in_b;
-    case BooleanRule::a_minus_b:
-      return in_a && !in_b;
-    case BooleanRule::b_minus_a:
-      return in_b && !in_a;
-  }
-  return false;
-}
 
 std::string describe(const Combination& combination, Status& status) {
   Result result;

@@ -26,9 +26,6 @@ struct Combination {
 /// terms. Sets `status` and answers "" if the library refuses the polygons.
 std::string describe(const Combination& combination, intaglio::Status& status);
 
-/// True if the rule takes places that are in the one and the other polygon or not.
-bool taken(intaglio::clip::BooleanRule rule, bool in_a, bool in_b);
-
 /// A sink that keeps one flag a pixel.
 class Mask {
  public:

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// `combine` called as a user would, with the result in rational numbers.
+// `combine` and its rung called as a user would, with the result in rational numbers.
 #pragma once
 
 #include <intaglio/clip/boolean.hpp>
+#include <intaglio/clip/greiner_hormann.hpp>
 #include <tests/oracle/boolean.hpp>
 
 #include <cstddef>
@@ -43,15 +44,16 @@ struct Combined {
   [[nodiscard]] mpq_class area() const { return -oracle::signed_area(contours); }
 };
 
-inline Combined combined(BooleanRule rule, const Shape& a, const Shape& b) {
+/// Gives `combine` as much memory as it asks for.
+template <class Entry, class Combine>
+Combined combined_by(Combine combine, BooleanRule rule, const Shape& a, const Shape& b) {
   const Flat first(a);
   const Flat second(b);
-  std::vector<intaglio::clip::BooleanPiece> workspace;
+  std::vector<Entry> workspace;
   std::vector<intaglio::clip::BooleanVertex> vertices;
   std::vector<int> lengths;
   for (int attempt = 0; attempt < 4; ++attempt) {
-    const auto result =
-        intaglio::clip::combine(rule, first.operand(), second.operand(), vertices, lengths, workspace);
+    const auto result = combine(rule, first.operand(), second.operand(), vertices, lengths, workspace);
     Combined answer{result.status(), {}};
     if (result.ok()) {
       std::size_t begin = 0;
@@ -76,9 +78,17 @@ inline Combined combined(BooleanRule rule, const Shape& a, const Shape& b) {
   return {intaglio::Status{intaglio::Error::too_small, intaglio::Argument::none}, {}};
 }
 
+inline Combined combined(BooleanRule rule, const Shape& a, const Shape& b) {
+  return combined_by<intaglio::clip::BooleanPiece>(intaglio::clip::combine, rule, a, b);
+}
+/// By the walk of Greiner and Hormann.
+inline Combined walked(BooleanRule rule, const Shape& a, const Shape& b) {
+  return combined_by<intaglio::clip::RingNode>(intaglio::clip::combine_greiner_hormann, rule, a, b);
+}
+
 inline mpq_class exact_area(BooleanRule rule, const Shape& a, const Shape& b) {
   return oracle::combined_area(oracle::rational(a), oracle::rational(b),
-                               [rule](bool in_a, bool in_b) { return taken(rule, in_a, in_b); });
+                               [rule](bool in_a, bool in_b) { return tests::taken(rule, in_a, in_b); });
 }
 
 inline std::string text(const Shape& shape) {

@@ -11,7 +11,7 @@
 // above its first end says what lies on one side, the pieces that coincide with it what lies on the other. A
 // piece is boundary if the answers differ. There are no special cases for shared vertices, edges that overlap
 // or vertices on edges: those give pieces like any others, and an edge drawn twice cancels by itself. The
-// results are those of Greiner and Hormann's walk where that is defined, as sets.
+// results are those of Greiner and Hormann's walk (greiner_hormann.hpp) where that is defined, as sets.
 //
 // Bit budget: |c| <= 2^19 sub-pixels (2,048 pixels), so differences have 21 bits, denominators 42 and
 // numerators 61; products of a numerator and a denominator or a difference stay in 128 bits, kept as two
@@ -40,6 +40,22 @@ enum class BooleanRule : std::uint8_t {
   a_minus_b,     ///< Those in the first and not in the second.
   b_minus_a,     ///< Those in the second and not in the first.
 };
+
+/// True if the rule takes places that are in the one and the other set or not. A rule that isn't one takes
+/// none.
+[[nodiscard]] constexpr bool taken(BooleanRule rule, bool in_a, bool in_b) noexcept {
+  switch (rule) {
+    case BooleanRule::intersection:
+      return in_a && in_b;
+    case BooleanRule::join:
+      return in_a || in_b;
+    case BooleanRule::a_minus_b:
+      return in_a && !in_b;
+    case BooleanRule::b_minus_a:
+      return in_b && !in_a;
+  }
+  return false;
+}
 
 /// The place (x / denominator, y / denominator), in 1/256 pixel; the fractions needn't be in lowest terms.
 struct BooleanVertex {

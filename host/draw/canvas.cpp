@@ -166,7 +166,7 @@ struct Drawer {
   Status operator()(const Coverage& c) const {
     if (F::bits != 8) return {Error::unsupported, Argument::colour};
     const Polygon& p = c.polygon;
-    std::vector<raster::CoverageCell> workspace(static_cast<std::size_t>(surface.size().width));
+    std::vector<raster::CoverageCell> workspace(raster::coverage_cells(p.vertices.size(), sink.clip().width));
     return raster::fill_coverage(Levels<F, Sink>{sink, surface}, p.rule, p.vertices, p.contour_lengths,
                                  workspace);
   }

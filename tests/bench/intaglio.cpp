@@ -78,7 +78,7 @@ class IntaglioSmooth final : public Canvas {
 
  private:
   raster::RampCoverage<Format> pen_ = raster::RampCoverage<Format>::over(surface(), 0, 256).value();
-  std::array<raster::CoverageCell, width> cells_;
+  std::array<raster::CoverageCell, raster::coverage_cells(12, width)> cells_;
 };
 
 }  // namespace

@@ -54,7 +54,7 @@ LevelSink covered(const Contours& contours, FillRule rule, const Rect& clip) {
 std::string fault(const Contours& contours, const Rect& clip) {
   long edges = 0;
   for (const auto& contour : contours) edges += static_cast<long>(contour.size());
-  const mpq_class bound = mpq_class(1, 2) + mpq_class(edges, 1 << 15);
+  const mpq_class bound = mpq_class(1, 2) + mpq_class(1, 1 << 17) + mpq_class(edges, 1 << 20);
   for (const bool even_odd : {true, false}) {
     const LevelSink sink = covered(contours, even_odd ? FillRule::even_odd : FillRule::non_zero, clip);
     if (sink.bad()) return text(contours) + ": contract broken";
@@ -231,25 +231,28 @@ TEST(Coverage, DirectionOfTheContourDoesntMatter) {
   EXPECT_EQ(wrong, 0) << random.seed_text();
 }
 
-TEST(Coverage, NeedsTheVisibleColumnsOnlyAndSaysSo) {
+TEST(Coverage, NeedsCellsForVisibleColumnsAndEdgesOnlyAndSaysSo) {
   const std::vector<SubPoint> square{{0, 0}, {2560, 0}, {2565, 2560}, {5, 2560}};
   LevelSink sink({-5, -5, 100, 100});
-  std::vector<CoverageCell> few(10);
+  // Eleven columns and one more, one cell of bits, and two edges that aren't level.
+  std::vector<CoverageCell> few(24);
   EXPECT_EQ(fill_coverage(sink, FillRule::even_odd, square, few),
-            (Status{Error::too_small, Argument::workspace, 11}));
+            (Status{Error::too_small, Argument::workspace, 25}));
   EXPECT_EQ(sink.spans(), 0);
-  std::vector<CoverageCell> enough(11);
+  std::vector<CoverageCell> enough(25);
   EXPECT_TRUE(fill_coverage(sink, FillRule::even_odd, square, enough).ok());
   EXPECT_GT(sink.spans(), 0);
   const std::vector<int> four{4};
-  EXPECT_EQ(coverage_workspace(square, four, {8, 0, 100, 5}).value(), 3U);
+  EXPECT_EQ(coverage_workspace(square, four, {8, 0, 100, 5}).value(), 17U);
+  EXPECT_EQ(coverage_workspace(square, four, {0, 0, 5, 5}).value(), 13U);  // one edge is right of it
+  EXPECT_EQ(coverage_workspace(square, four, {0, 11, 100, 5}).value(), 0U);
   EXPECT_EQ(coverage_workspace(square, four, {11, 0, 100, 5}).value(), 0U);
   EXPECT_EQ(coverage_workspace(square, four, {0, 0, 0, 5}).value(), 0U);
 }
 
 TEST(Coverage, BadArgumentsAreNamedAndNothingIsHandedOver) {
   LevelSink sink({0, 0, 20, 20});
-  std::vector<CoverageCell> workspace(20);
+  std::vector<CoverageCell> workspace(intaglio::raster::coverage_cells(4, 20));
   std::vector<SubPoint> square{{0, 0}, {2560, 0}, {2560, 2560}, {0, 2560}};
   const auto draw = [&](std::vector<int> lengths, FillRule rule = FillRule::even_odd) {
     return fill_coverage(sink, rule, square, lengths, workspace);
@@ -286,7 +289,7 @@ TEST(RampCoverage, PicksTheNearestStepAndNeverWritesBesideTheClip) {
       EXPECT_EQ(wrong, 0) << first << " " << steps;
     }
   const std::vector<SubPoint> large{{-9000, -9000}, {9000, -9000}, {9000, 9000}, {-9000, 9000}};
-  std::vector<CoverageCell> workspace(16);
+  std::vector<CoverageCell> workspace(intaglio::raster::coverage_cells(4, 16));
   const auto ramp = Ramp::over(surface, 3, 8, {2, 1, 5, 4}).value();
   ASSERT_TRUE(fill_coverage(ramp, FillRule::even_odd, large, workspace).ok());
   for (int y = 0; y < 8; ++y)

@@ -131,7 +131,7 @@ TEST(DitheredCoverage, TwoPolygonsThatShareAnEdgeLeaveNoHoleAndNoPixelTwice) {
     const std::array<SubPoint, 4> upper{a, {-bound, -bound}, {bound, -bound}, b};
     const std::array<SubPoint, 4> lower{b, {bound, bound}, {-bound, bound}, a};
     RecordingSink sink({-7, -7, 15, 15});
-    std::vector<raster::CoverageCell> workspace(15);
+    std::vector<raster::CoverageCell> workspace(raster::coverage_cells(4, 15));
     EXPECT_TRUE(raster::fill_coverage(DitheredCoverage<RecordingSink&>(sink), raster::FillRule::non_zero,
                                       upper, workspace)
                     .ok());
@@ -160,7 +160,7 @@ TEST(DitheredCoverage, ExclusiveOrTwiceRestoresOneBitSurfaces) {
   std::vector<std::uint8_t> memory(4 * 20, 0x5A);
   const auto surface = image::Surface<image::Indexed1>::over(memory, {32, 20}).value();
   const std::array<SubPoint, 3> triangle{{{300, 200}, {7000, 1500}, {2000, 4600}}};
-  std::vector<raster::CoverageCell> workspace(32);
+  std::vector<raster::CoverageCell> workspace(raster::coverage_cells(3, 32));
   for (int i = 0; i < 2; ++i) {
     EXPECT_EQ(memory == std::vector<std::uint8_t>(4 * 20, 0x5A), i == 0);
     EXPECT_TRUE(raster::fill_coverage(DitheredCoverage(raster::Xor(surface, 1)), raster::FillRule::even_odd,

@@ -242,7 +242,7 @@ TEST(PolygonClip, LevelsOfCoverageComeThroughUnchanged) {
   Levels free;
   Levels behind;
   PolygonClipped clipped(behind, window.clip);
-  std::vector<raster::CoverageCell> cells(width);
+  std::vector<raster::CoverageCell> cells(raster::coverage_cells(3, width));
   ASSERT_TRUE(raster::fill_coverage(free, FillRule::even_odd, shape, cells).ok());
   ASSERT_TRUE(raster::fill_coverage(clipped, FillRule::even_odd, shape, cells).ok());
   for (int y = 0; y < height; ++y)

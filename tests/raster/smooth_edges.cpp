@@ -41,7 +41,7 @@ constexpr int limit = 1 << 28;
 
 LevelSink line_levels(SubPoint a, SubPoint b, int width, Cap cap, const Rect& clip) {
   LevelSink sink(clip);
-  std::vector<CoverageCell> workspace(static_cast<std::size_t>(clip.width));
+  std::vector<CoverageCell> workspace(raster::coverage_cells(4, clip.width));
   EXPECT_TRUE(draw_smooth_line(sink, a, b, width, cap, workspace).ok());
   EXPECT_FALSE(sink.bad());
   return sink;
@@ -114,7 +114,7 @@ TEST(SmoothLine, FromBothEndsItIsTheSameLine) {
 
 TEST(SmoothLine, BadArgumentsAreNamedAndNothingIsHandedOver) {
   LevelSink sink({0, 0, 20, 20});
-  std::vector<CoverageCell> workspace(20);
+  std::vector<CoverageCell> workspace(raster::coverage_cells(4, 20));
   const auto draw = [&](SubPoint a, int width, Cap cap = Cap::butt) {
     return draw_smooth_line(sink, a, {2560, 2560}, width, cap, workspace);
   };
@@ -124,7 +124,7 @@ TEST(SmoothLine, BadArgumentsAreNamedAndNothingIsHandedOver) {
   }
   EXPECT_EQ(draw({0, 0}, 256, static_cast<Cap>(7)), (Status{Error::out_of_range, Argument::rule}));
   workspace.resize(3);
-  EXPECT_EQ(draw({0, 0}, 256), (Status{Error::too_small, Argument::workspace, 11}));
+  EXPECT_EQ(draw({0, 0}, 256), (Status{Error::too_small, Argument::workspace, 12 + 1 + 4 * 6}));
   EXPECT_EQ(sink.spans(), 0);
 }
 

@@ -3,6 +3,8 @@
 #include <intaglio/raster/coverage.hpp>
 
 #include <algorithm>
+#include <memory>
+#include <utility>
 
 namespace intaglio::raster {
 
@@ -10,30 +12,56 @@ namespace detail {
 namespace {
 
 constexpr int half = linear::subpixel_one / 2;
-// Bits of a crossing beyond the 1/256 pixel, and of a place inside a pixel.
-constexpr int fraction_bits = 16;
-constexpr int place_bits = fraction_bits + linear::subpixel_bits;
-// Areas count in 2^-40 pixel; a product of two places and the 2 of a mean has 9 bits more.
-constexpr int area_bits = 40;
-constexpr int product_shift = 2 * place_bits + 1 - area_bits;
-constexpr std::int64_t whole = std::int64_t{1} << area_bits;
-static_assert(product_shift == 9 && area_bits - place_bits == fraction_bits);
+// Bits of a place beyond the 1/256 pixel: 2^-32 pixel in all.
+constexpr int fraction_bits = 32 - linear::subpixel_bits;
+// From 1/256 row to a height in 2^-31.
+constexpr int height_bits = 31 - linear::subpixel_bits;
+constexpr std::uint32_t whole_height = 1U << 31U;
 
-/// The left side of a column, or the upper of a row, in 1/256 pixel.
-constexpr int side(int pixel) noexcept { return pixel * linear::subpixel_one - half; }
+/// The upper side of a row, in 1/256 pixel.
+constexpr int side(int row) noexcept { return row * linear::subpixel_one - half; }
+
+/// The row or column whose sides hold a place.
+constexpr int pixel_at(int place) noexcept { return (place + half) >> linear::subpixel_bits; }
 
 constexpr std::int64_t with_fraction(int value) noexcept {
   return value * (std::int64_t{1} << fraction_bits);
 }
 
-/// a * b / c, rounded down, with fraction bits. Precondition: 0 <= a <= c <= 2^29, 0 <= b <= 2^29, c > 0.
-std::int64_t scaled(int a, int b, int c) noexcept {
-  const auto divisor = static_cast<std::uint32_t>(c);
-  const auto [quotient, remainder] =
-      number::long_divide(static_cast<std::uint64_t>(a) * static_cast<std::uint64_t>(b), divisor);
-  const auto fraction = number::long_divide(std::uint64_t{remainder} << fraction_bits, divisor).quotient;
-  return (std::int64_t{quotient} << fraction_bits) + fraction;
+/// The upper 32 bits of a product.
+constexpr std::uint32_t multiply_high(std::uint32_t a, std::uint32_t b) noexcept {
+  return static_cast<std::uint32_t>(std::uint64_t{a} * b >> 32U);
 }
+
+struct Place {
+  std::int64_t value;       // with fraction bits, rounded down
+  std::uint32_t remainder;  // over the divisor
+};
+/// a * b / c for a b of either sign. Precondition: a, |b| <= 2^29, 0 < c <= 2^29, |a * b| / c < 2^32.
+Place scaled(std::uint32_t a, std::int32_t b, std::uint32_t c) noexcept {
+  const bool negative = b < 0;
+  const auto size = static_cast<std::uint32_t>(negative ? -b : b);
+  const auto whole = number::long_divide(std::uint64_t{a} * size, c);
+  const auto fraction = number::long_divide(std::uint64_t{whole.remainder} << fraction_bits, c);
+  const std::int64_t value = (std::int64_t{whole.quotient} << fraction_bits) + fraction.quotient;
+  if (!negative) return {value, fraction.remainder};
+  if (fraction.remainder == 0) return {-value, 0};
+  return {-value - 1, c - fraction.remainder};
+}
+
+/// Where an edge runs, downwards: so both polygons that share it see the same crossings.
+struct Downwards {
+  linear::SubPoint top;
+  linear::SubPoint bottom;
+  bool upwards;  // as the contour runs
+
+  Downwards(const linear::SubPoint& from, const linear::SubPoint& to) noexcept
+      : top(to.y < from.y ? to : from), bottom(to.y < from.y ? from : to), upwards(to.y < from.y) {}
+  [[nodiscard]] int first_row() const noexcept { return pixel_at(top.y); }
+  [[nodiscard]] int last_row() const noexcept { return pixel_at(bottom.y - 1); }
+};
+
+constexpr bool starts_later(const CoverageEdge& a, const CoverageEdge& b) noexcept { return a.row > b.row; }
 
 }  // namespace
 
@@ -41,6 +69,26 @@ CoverageScan::CoverageScan(FillRule rule, const linear::Rect& clip,
                            const std::span<const linear::SubPoint>& vertices,
                            const std::span<const int>& contour_lengths) noexcept
     : vertices_(vertices), contour_lengths_(contour_lengths), area_(clip), rule_(rule) {}
+
+/// Calls visit(index, index) with the ends of each edge that adds something to the area.
+template <class Visit>
+void CoverageScan::visit_edges(Visit visit) const noexcept {
+  std::uint32_t begin = 0;
+  for (const int length : contour_lengths_) {
+    const std::uint32_t end = begin + static_cast<std::uint32_t>(length);
+    if (length >= 3) {
+      for (std::uint32_t to = begin, from = end - 1; to != end; from = to++) {
+        const linear::SubPoint& a = vertices_[from];
+        const linear::SubPoint& b = vertices_[to];
+        const Downwards edge(a, b);
+        if (a.y != b.y && edge.last_row() >= area_.y && edge.first_row() < area_.bottom() &&
+            std::min(a.x, b.x) < side(area_.right()))
+          visit(from, to);
+      }
+    }
+    begin = end;
+  }
+}
 
 Status CoverageScan::prepare() noexcept {
   if (winding_mask(rule_) == 0) return {Error::out_of_range, Argument::rule};
@@ -57,138 +105,199 @@ Status CoverageScan::prepare() noexcept {
     low = {std::min(low.x, vertex.x), std::min(low.y, vertex.y)};
     high = {std::max(high.x, vertex.x), std::max(high.y, vertex.y)};
   }
-  const auto pixel = [](int place) { return (place + half) >> linear::subpixel_bits; };
-  const int left = std::max(area_.x, pixel(low.x));
-  const int top = std::max(area_.y, pixel(low.y));
-  const int right = std::min(area_.right(), pixel(high.x) + 1);
-  const int bottom = std::min(area_.bottom(), pixel(high.y) + 1);
+  const int left = std::max(area_.x, pixel_at(low.x));
+  const int top = std::max(area_.y, pixel_at(low.y));
+  const int right = std::min(area_.right(), pixel_at(high.x) + 1);
+  const int bottom = std::min(area_.bottom(), pixel_at(high.y) + 1);
   area_ = left < right && top < bottom ? linear::Rect{left, top, right - left, bottom - top} : linear::Rect{};
-  x_ = area_.right();
   y_ = area_.y - 1;
+  cell_count_ = 0;
+  edge_count_ = 0;
+  if (area_.empty()) return {};
+  visit_edges([&](std::uint32_t, std::uint32_t) { ++edge_count_; });
+  cell_count_ =
+      static_cast<std::uint32_t>(coverage_cells(static_cast<std::size_t>(edge_count_), area_.width));
   return {};
 }
 
 Status CoverageScan::use(const std::span<CoverageCell>& cells) noexcept {
-  if (cells.size() < count()) return {Error::too_small, Argument::workspace, count()};
-  cells_ = cells.data();
-  for (CoverageCell& cell : cells.first(count())) cell.change_ = 0;
+  if (cells.size() < cell_count_) return {Error::too_small, Argument::workspace, cell_count_};
+  if (cell_count_ == 0) return {};
+  // Edges first: all are aligned alike. Cells that change their type begin a new life.
+  std::size_t next = 0;
+  active_ = 0;
+  waiting_ = edge_count_;
+  visit_edges([&](std::uint32_t from, std::uint32_t to) {
+    auto* const edge = std::construct_at(reinterpret_cast<CoverageEdge*>(&cells[next]), CoverageEdge{});
+    if (next == 0) edges_ = edge;
+    edge->row = std::max(Downwards(vertices_[from], vertices_[to]).first_row(), area_.y);
+    edge->height = from;
+    edge->rest = to;
+    next += cells_of_edge;
+  });
+  std::make_heap(edges_, edges_ + edge_count_, starts_later);
+  cells_ = &cells[next];
+  for (int i = 0; i <= area_.width; ++i) cells_[i].change_ = 0;
+  const int words = area_.width / 32 + 1;
+  auto* const storage = reinterpret_cast<std::uint32_t*>(cells_ + area_.width + 1);
+  for (int i = 0; i < words; ++i) std::construct_at(storage + i, 0U);
+  touched_ = storage;
   return {};
 }
 
-bool CoverageScan::next(CoverageSpan& span) noexcept {
-  for (;;) {
-    if (x_ == area_.right()) {
-      if (++y_ >= area_.bottom()) return false;
-      add_row();
-      x_ = area_.x;
-      sum_ = 0;
-    }
-    span.y = y_;
-    span.x_begin = x_;
-    CoverageCell* cell = cells_ + (x_ - area_.x);
-    sum_ += cell->change_;
-    span.coverage = level(sum_);
-    // Cells are left at zero for the next row.
-    for (cell->change_ = 0; ++x_ < area_.right(); cell->change_ = 0) {
-      ++cell;
-      if (cell->change_ == 0) continue;
-      if (level(sum_ + cell->change_) != span.coverage) break;
-      sum_ += cell->change_;
-    }
-    span.x_end = x_;
-    if (span.coverage != 0) return true;
-  }
-}
-
-/// The level of an area that the contours wind around.
-int CoverageScan::level(std::int64_t area) const noexcept {
-  std::int64_t folded = area < 0 ? -area : area;
-  if (rule_ == FillRule::even_odd) {
-    folded &= 2 * whole - 1;
-    if (folded > whole) folded = 2 * whole - folded;
+/// Adds to a column what an edge covers of it to its right, and to all further right the edge's height there.
+inline void CoverageScan::add(int column, std::uint32_t own, std::uint32_t height, bool upwards) noexcept {
+  CoverageCell* const cell = cells_ + column;
+  if (upwards) {
+    cell[0].change_ -= own;
+    cell[1].change_ -= height - own;
   } else {
-    folded = std::min(folded, whole);
+    cell[0].change_ += own;
+    cell[1].change_ += height - own;
   }
-  return static_cast<int>((folded * full_coverage + whole / 2) >> area_bits);
+  const unsigned bit = static_cast<unsigned>(column) % 32;
+  std::uint32_t* const touched = touched_ + column / 32;
+  touched[0] |= 3U << bit;
+  if (bit == 31) touched[1] |= 1;
 }
 
-void CoverageScan::add_row() noexcept {
-  const linear::SubPoint* contour = vertices_.data();
-  for (const int length : contour_lengths_) {
-    const linear::SubPoint* const end = contour + length;
-    if (length >= 3)
-      for (const linear::SubPoint *to = contour, *from = end - 1; to != end; from = to++)
-        add_edge(*from, *to);
-    contour = end;
-  }
-}
-
-/// Adds to the area of a column and of all to its right; what is right of the area doesn't matter.
-void CoverageScan::add(int column, std::int64_t change) noexcept {
-  if (column < area_.right()) cells_[column - area_.x].change_ += change;
-}
-
-/// Adds what the edge does on row y_.
-void CoverageScan::add_edge(const linear::SubPoint& from, const linear::SubPoint& to) noexcept {
-  // An edge runs downwards here, so both polygons that share it see the same crossings.
-  const bool upwards = to.y < from.y;
-  const linear::SubPoint& top = upwards ? to : from;
-  const linear::SubPoint& bottom = upwards ? from : to;
-  const int row_top = side(y_);
-  const int begin = std::max(top.y, row_top);
-  const int end = std::min(bottom.y, row_top + linear::subpixel_one);
-  if (begin >= end) return;
-  const bool to_right = bottom.x >= top.x;
-  const linear::SubPoint& left = to_right ? top : bottom;
-  const linear::SubPoint& right = to_right ? bottom : top;
-  if (left.x >= side(area_.right())) return;
-  const int width = right.x - left.x;
-  const int height = bottom.y - top.y;
-  const std::int64_t sign = upwards ? -1 : 1;
-  const auto x_at = [&](int y) {
-    const std::int64_t run = scaled(y - top.y, width, height);
-    return with_fraction(top.x) + (to_right ? run : -run);
-  };
-
-  // The piece on this row, from its left end to its right end; y counts from the row's upper side.
-  const bool hidden = right.x <= side(area_.x);
-  std::int64_t x = hidden ? 0 : x_at(to_right ? begin : end);
-  const std::int64_t x_end = hidden ? 0 : x_at(to_right ? end : begin);
-  std::int64_t y = with_fraction((to_right ? begin : end) - row_top);
-  const std::int64_t y_end = with_fraction((to_right ? end : begin) - row_top);
-  const std::int64_t first_side = with_fraction(side(area_.x));
-  if (hidden || x_end <= first_side) {
-    add(area_.x, sign * (end - begin) * (std::int64_t{1} << (area_bits - linear::subpixel_bits)));
+/// Adds the piece of an edge that lies on the row, between these columns and so high.
+[[gnu::always_inline]] inline void CoverageScan::add_piece(const CoverageEdge& edge, std::int64_t x,
+                                                           std::int64_t x_end,
+                                                           std::uint32_t height) noexcept {
+  const auto column = static_cast<int>(x >> 32);
+  if (column == static_cast<int>(x_end >> 32) &&
+      static_cast<unsigned>(column) < static_cast<unsigned>(area_.width)) {
+    // Right of it lies the mean of the distances of its ends from the column's right side.
+    const std::uint32_t distance =
+        (~static_cast<std::uint32_t>(x) >> 1U) + (~static_cast<std::uint32_t>(x_end) >> 1U) + 1;
+    add(column, multiply_high(height, distance), height, edge.upwards);
     return;
   }
-  // What is left of the area counts as one column.
-  int column =
-      x < first_side ? area_.x - 1 : static_cast<int>(((x >> fraction_bits) + half) >> linear::subpixel_bits);
-  for (; column < area_.right(); ++column) {
-    const int next_side = side(column + 1);
-    const bool last = with_fraction(next_side) >= x_end;
-    const std::int64_t piece_end = last ? x_end : with_fraction(next_side);
-    std::int64_t next_y = y_end;
-    if (!last) {
-      const std::int64_t run = scaled(next_side - left.x, height, width);
-      const std::int64_t crossing = with_fraction(left.y - row_top) + (to_right ? run : -run);
-      // Where a rounded x went past a side that the edge doesn't reach on this row, y stays on the row.
-      next_y = to_right ? std::clamp(crossing, y, y_end) : std::clamp(crossing, y_end, y);
-    }
-    const std::int64_t rise = to_right ? next_y - y : y - next_y;
-    const std::int64_t all = rise * (std::int64_t{1} << (area_bits - place_bits));
-    if (column < area_.x) {
-      add(area_.x, sign * all);
+  add_columns(edge, x, x_end, height);
+}
+
+bool CoverageScan::next_row() noexcept {
+  if (++y_ >= area_.bottom()) return false;
+  CoverageEdge* const end = edges_ + edge_count_;
+  for (CoverageEdge* edge = end - active_; edge != end; ++edge) {
+    const std::int64_t x = edge->x;
+    const bool last = edge->row == y_;
+    std::int64_t next = 0;
+    std::uint32_t height = whole_height;
+    if (last) {
+      next = with_fraction(edge->x_end);
+      height = static_cast<std::uint32_t>(edge->end) << height_bits;
     } else {
-      const std::int64_t origin = 2 * with_fraction(side(column));
-      const std::int64_t own =
-          (rise * ((std::int64_t{1} << (place_bits + 1)) + origin - x - piece_end)) >> product_shift;
-      add(column, sign * own);
-      add(column + 1, sign * (all - own));
+      next = x + edge->step;
+      std::int32_t error = edge->error + static_cast<std::int32_t>(edge->rest);
+      if (error >= 0) {
+        error -= static_cast<std::int32_t>(edge->height);
+        ++next;
+      }
+      edge->error = error;
+      edge->x = next;
     }
-    if (last) return;
-    x = piece_end;
-    y = next_y;
+    add_piece(*edge, x, next, height);
+    if (last) *edge = end[-active_--];  // which has had its turn
+  }
+  while (waiting_ > 0 && edges_->row == y_) {
+    std::pop_heap(edges_, edges_ + waiting_, starts_later);
+    CoverageEdge edge = edges_[--waiting_];
+    start(edge);
+    if (edge.row > y_) end[-++active_] = edge;
+  }
+  return true;
+}
+
+/// Turns an edge that waited into one on the row, and adds what it does there.
+void CoverageScan::start(CoverageEdge& edge) noexcept {
+  const Downwards way(vertices_[edge.height], vertices_[edge.rest]);
+  const int left = side(area_.x);
+  const int dx = way.bottom.x - way.top.x;
+  const auto height = static_cast<std::uint32_t>(way.bottom.y - way.top.y);
+  edge.upwards = way.upwards;
+  edge.height = height;
+  edge.row = way.last_row();
+  edge.x_end = way.bottom.x - left;
+  edge.end = static_cast<std::int16_t>(way.bottom.y - side(edge.row));
+  if (dx != 0) {
+    // The quotient of both, each with its highest bit in bit 31, to 32 bits.
+    const auto width = static_cast<std::uint32_t>(dx < 0 ? -dx : dx);
+    const int up = std::countl_zero(height);
+    const int down = std::countl_zero(width);
+    const std::uint32_t n = height << static_cast<unsigned>(up);
+    const std::uint32_t d = width << static_cast<unsigned>(down);
+    const int digits = n >= d ? 31 : 32;
+    // Halves: both are even, and the dividend stays below 2^63.
+    edge.slope = number::long_divide(std::uint64_t{n / 2} << static_cast<unsigned>(digits), d / 2).quotient;
+    edge.slope_shift = static_cast<std::uint8_t>(digits + up - down);
+  }
+  const auto crossing = [&](int y) { return scaled(static_cast<std::uint32_t>(y - way.top.y), dx, height); };
+  const std::int64_t origin = with_fraction(way.top.x - left);
+  const int row_end = side(y_ + 1);
+  const int begin = std::max(way.top.y, side(y_));
+  const std::int64_t x = begin == way.top.y ? origin : origin + crossing(begin).value;
+  if (way.bottom.y <= row_end) {
+    add_piece(edge, x, with_fraction(edge.x_end),
+              static_cast<std::uint32_t>(way.bottom.y - begin) << height_bits);
+    return;
+  }
+  const Place next = crossing(row_end);
+  edge.x = origin + next.value;
+  edge.error = static_cast<std::int32_t>(next.remainder) - static_cast<std::int32_t>(height);
+  if (edge.row > y_ + 1) {  // only then is a row crossed from side to side, and the edge as high as that
+    const Place step = scaled(linear::subpixel_one, dx, height);
+    edge.step = step.value;
+    edge.rest = step.remainder;
+  }
+  add_piece(edge, x, edge.x, static_cast<std::uint32_t>(row_end - begin) << height_bits);
+}
+
+/// The same for a piece that goes through several columns, or isn't all visible.
+void CoverageScan::add_columns(const CoverageEdge& edge, std::int64_t left, std::int64_t right,
+                               std::uint32_t height) noexcept {
+  if (left > right) std::swap(left, right);
+  auto column = static_cast<int>(left >> 32);
+  const auto last = static_cast<int>(right >> 32);
+  if (column >= area_.width) return;
+  if (last < 0) {
+    add(0, height, height, edge.upwards);
+    return;
+  }
+  // How high the edge is over a part of a column, and over whole ones in 2^-63 row.
+  const auto rise = [&](std::uint32_t part) {
+    return static_cast<std::uint32_t>(std::uint64_t{part} * edge.slope >> (edge.slope_shift + 1U));
+  };
+  std::uint32_t done = 0;  // of the height
+  if (column < 0) {
+    const std::int64_t hidden = -left;
+    const auto columns = static_cast<std::uint32_t>(hidden >> 32);
+    const std::uint64_t whole =
+        columns == 0 ? 0 : std::uint64_t{columns} * edge.slope >> (edge.slope_shift - 31U);
+    done = std::min(static_cast<std::uint32_t>(whole) + rise(static_cast<std::uint32_t>(hidden)), height);
+    add(0, done, done, edge.upwards);
+    column = 0;
+  } else if (column < last) {
+    const std::uint32_t distance = ~static_cast<std::uint32_t>(left);
+    done = std::min(rise(distance), height);
+    add(column, multiply_high(done, distance) / 2, done, edge.upwards);
+    ++column;
+  }
+  const int end = std::min(last, area_.width);
+  if (column < end) {
+    const std::uint64_t step = std::uint64_t{edge.slope} << (63U - edge.slope_shift);
+    std::uint64_t sum = std::uint64_t{done} << 32U;
+    for (; column < end; ++column) {
+      sum += step;
+      const std::uint32_t next = std::min(static_cast<std::uint32_t>(sum >> 32U), height);
+      add(column, (next - done) / 2, next - done, edge.upwards);
+      done = next;
+    }
+  }
+  if (column == last && column < area_.width) {
+    const std::uint32_t rest = height - done;
+    add(column, rest - multiply_high(rest, static_cast<std::uint32_t>(right)) / 2, rest, edge.upwards);
   }
 }
 

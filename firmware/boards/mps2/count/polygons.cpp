@@ -53,7 +53,7 @@ constexpr Point below{100, 150};
 raster::PolygonEdge edges[128];
 raster::PolygonCrossing crossings[128];
 raster::PolygonChain chains[128];
-raster::CoverageCell cells[320];
+raster::CoverageCell cells[raster::coverage_cells(100, 320)];
 clip::ClipStage stages[16];
 clip::BooleanPiece pieces[256];
 clip::BooleanVertex combined[64];

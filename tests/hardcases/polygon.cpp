@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
 // Polygons that broke other libraries. Expectations are counted by exact oracles or by hand.
+#include <intaglio/raster/coverage.hpp>
 #include <intaglio/raster/polygon.hpp>
+#include <tests/oracle/coverage.hpp>
+#include <tests/oracle/level_sink.hpp>
 #include <tests/oracle/polygon.hpp>
 #include <tests/oracle/recording_sink.hpp>
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <vector>
 
 namespace {
@@ -85,6 +89,45 @@ TEST(PolygonHardCases, TextbookWindingRulesDifferInAPentagramsHeart) {
 TEST(PolygonHardCases, TextbookEdgesLeaningLeft) {
   const auto leaning = pixels({{40, 0}, {60, 0}, {20, 30}, {0, 30}});
   EXPECT_EQ(exact_pixels(leaning, FillRule::even_odd, {0, 0, 64, 32}), 20 * 30);
+}
+
+// H25. lvgl PR #7052, lunasvg #217: in 24.8 on 32 bits paths beyond +-4096 pixels overflow.
+TEST(PolygonHardCases, Lvgl7052PathsBeyond4096Pixels) {
+  const Rect screen{0, 0, 320, 240};
+  for (const int far : {4095, 4096, 4097, 32767, 32768, 65536, 1 << 20}) {
+    const auto wedge = pixels({{-far, -far}, {far, -far + 7}, {100, 200}, {-far, far}});
+    EXPECT_GT(exact_pixels(wedge, FillRule::even_odd, screen), 1000) << far;
+    EXPECT_GT(exact_pixels(wedge, FillRule::non_zero, screen), 1000) << far;
+  }
+  RecordingSink sink(screen);
+  std::vector<PolygonEdge> workspace(3);
+  EXPECT_EQ(fill_polygon(sink, FillRule::even_odd,
+                         std::vector<SubPoint>{{-2000000000, 76}, {5000, 5000}, {9000, 60}}, workspace),
+            (intaglio::Status{intaglio::Error::out_of_domain, intaglio::Argument::vertices}));
+}
+
+// stb #1057, #151, #353: an outline of 48 edges a few sub-pixels large: coverage above 1, lines across.
+TEST(PolygonHardCases, Stb1057OutlineOf48EdgesAtSubPixelScale) {
+  using intaglio::raster::CoverageCell;
+  for (const int radius : {3, 20, 100, 300, 900}) {
+    std::vector<SubPoint> outline;
+    for (int i = 0; i < 48; ++i) {
+      const double turn = 6.283185307179586 * i / 48;
+      const double r = i % 3 == 0 ? radius * 0.4 : radius;
+      outline.push_back({1111 + static_cast<int>(std::lround(r * std::cos(turn))),
+                         1041 + static_cast<int>(std::lround(r * std::sin(turn)))});
+    }
+    const Rect screen{0, 0, 9, 9};
+    oracle::LevelSink sink(screen);
+    std::vector<CoverageCell> workspace(9);
+    ASSERT_TRUE(intaglio::raster::fill_coverage(sink, FillRule::non_zero, outline, workspace).ok());
+    EXPECT_FALSE(sink.bad());
+    for (int y = 0; y < 9; ++y)
+      for (int x = 0; x < 9; ++x) {
+        const mpq_class exact = 255 * oracle::coverage({outline}, false, x, y);
+        EXPECT_LE(abs(exact - sink.level(x, y)), mpq_class(51, 100)) << radius << " " << x << "," << y;
+      }
+  }
 }
 
 }  // namespace

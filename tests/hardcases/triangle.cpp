@@ -155,6 +155,27 @@ TEST(TriangleHardCases, Ethos5213SmallTrianglesWithUprightAndLevelSides) {
     }
 }
 
+// washingtondc #91: twice the area of half a screen, 307,200, leaves 16 bits.
+TEST(TriangleHardCases, Washingtondc91AreaOfHalfAScreen) {
+  EXPECT_EQ(exact_pixels({0, 0}, {640, 0}, {0, 480}, {0, 0, 640, 480}) +
+                exact_pixels({640, 480}, {0, 480}, {640, 0}, {0, 0, 640, 480}),
+            640 * 480);
+}
+
+// Avocado #18, TIC-80 #776 and #1059: what is half transparent is blended twice along a shared edge; a
+// triangle one pixel off.
+TEST(TriangleHardCases, Avocado18SharedEdgesAreBlendedOnce) {
+  EXPECT_GT(exact_pixels({150, 50}, {185, 55}, {163, 120}, {0, 0, 240, 136}), 900);
+  for (int i = 0; i < 40; ++i) {
+    RecordingSink sink({0, 0, 240, 136});
+    const Point a{150 - i, 50};
+    const Point b{163 + i, 120 - i};
+    ASSERT_TRUE(fill_triangle(sink, a, Point{185, 55}, b).ok());
+    ASSERT_TRUE(fill_triangle(sink, b, Point{100, 110 + i % 7}, a).ok());
+    ASSERT_EQ(sink.most(), 1) << i;
+  }
+}
+
 // Textbook golden value: two half-open triangles share out the 25 pixels of a square.
 TEST(TriangleHardCases, TextbookHalfOpenTrianglesPartitionASquare) {
   EXPECT_EQ(exact_pixels({0, 0}, {5, 0}, {5, 5}, {0, 0, 8, 8}), 15);

@@ -47,6 +47,14 @@ TEST(ParseSubpixel, HalvesGoAwayFromZeroHoweverManyDigitsTellThemApart) {
     EXPECT_EQ(parse_subpixel(bad), std::nullopt) << bad;
 }
 
+// nanosvg #292: -3E7.1442 became -30000000, times 1024 an int that it doesn't fit in.
+TEST(ParseSubpixel, Nanosvg292ExponentsAreNoNumbers) {
+  EXPECT_EQ(parse_subpixel("-3E7.1442"), std::nullopt);
+  EXPECT_EQ(parse_subpixel("-3E7"), std::nullopt);
+  EXPECT_EQ(parse_subpixel("-30000000.1442"), -INT_MAX);
+  EXPECT_EQ(parse_whole("-3E7"), std::nullopt);
+}
+
 TEST(ParseSubpixel, TakesFractionsOfWholeNumbers) {
   EXPECT_EQ(parse_subpixel("7/3"), 597);  // 597.33
   EXPECT_EQ(parse_subpixel("-7/3"), -597);

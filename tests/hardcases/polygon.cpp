@@ -119,7 +119,7 @@ TEST(PolygonHardCases, Stb1057OutlineOf48EdgesAtSubPixelScale) {
     }
     const Rect screen{0, 0, 9, 9};
     oracle::LevelSink sink(screen);
-    std::vector<CoverageCell> workspace(9);
+    std::vector<CoverageCell> workspace(intaglio::raster::coverage_cells(outline.size(), 9));
     ASSERT_TRUE(intaglio::raster::fill_coverage(sink, FillRule::non_zero, outline, workspace).ok());
     EXPECT_FALSE(sink.bad());
     for (int y = 0; y < 9; ++y)

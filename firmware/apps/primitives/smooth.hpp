@@ -17,7 +17,8 @@
 
 namespace apps::primitives {
 
-using CoverageRow = std::array<raster::CoverageCell, longest_side>;
+/// Enough for five vertices in any field.
+using CoverageRow = std::array<raster::CoverageCell, raster::coverage_cells(5, longest_side)>;
 
 /// All indices as a ramp.
 template <image::PixelFormat F>

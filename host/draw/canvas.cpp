@@ -21,7 +21,7 @@
 #include <intaglio/raster/ring.hpp>
 #include <intaglio/raster/round_rect.hpp>
 #include <intaglio/raster/solid.hpp>
-#include <intaglio/raster/thick_line.hpp>
+#include <intaglio/raster/thick_line_rungs.hpp>
 #include <intaglio/raster/triangle.hpp>
 #include <intaglio/raster/triangle_box.hpp>
 #include <intaglio/text/draw_text.hpp>
@@ -92,6 +92,8 @@ struct Drawer {
     return raster::draw_dashed_line(sink, d.from, d.to, d.on, d.off);
   }
   Status operator()(const ThickLine& l) const {
+    if (l.method == ThickLineMethod::minor)
+      return raster::draw_minor_thick_line(sink, l.from, l.to, l.width / linear::subpixel_one);
     return raster::draw_thick_line(sink, l.from, l.to, l.width, l.cap);
   }
   Status operator()(const Polyline& p) const {

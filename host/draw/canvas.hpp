@@ -41,10 +41,12 @@ struct Dashes {
   int off = 0;
   linear::Point from, to;
 };
+enum class ThickLineMethod : std::uint8_t { across, minor };
 struct ThickLine {
   linear::SubPoint from, to;
-  int width = 0;  ///< in 1/256 pixel
+  int width = 0;  ///< in 1/256 pixel; whole pixels along the minor axis
   intaglio::raster::Cap cap{};
+  ThickLineMethod method{};
 };
 struct Polyline {
   std::vector<linear::SubPoint> points;

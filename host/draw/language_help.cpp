@@ -52,7 +52,7 @@ std::string_view language_help() {
                              blocks; polygon active (the default), basic, critical; line exact (the default),
                              distance. To others: sprite with an angle zoom (the default), shear (no pixel is lost
                              or doubled; SCALE must be 1); line line1, line2 (whole pixels; the longer, the less
-                             exact)
+                             exact); thickline across (the default), minor (WIDTH whole pixels in each column or row)
   font NAME                  fixed_6x13 (the default), fixed_5x8, sans_11, digits_16, digits_28, digits_48
   text X Y "UTF-8"           top left of the text; escapes \" \\ and \n (next line)
 The surface is black (index 0) at first. Coordinates are whole pixels up to 2^20 either way, and may lie outside

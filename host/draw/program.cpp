@@ -50,6 +50,8 @@ constexpr auto line_methods =
                                                             {"line1", LineMethod::line1},
                                                             {"line2", LineMethod::line2},
                                                             {"distance", LineMethod::distance}});
+constexpr auto thick_line_methods = std::to_array<std::pair<std::string_view, ThickLineMethod>>(
+    {{"across", ThickLineMethod::across}, {"minor", ThickLineMethod::minor}});
 constexpr std::array<std::pair<std::string_view, TriangleMethod>, 3> triangle_methods{
     {{"walk", TriangleMethod::walk}, {"box", TriangleMethod::box}, {"blocks", TriangleMethod::blocks}}};
 constexpr std::array<std::pair<std::string_view, PolygonMethod>, 3> polygon_methods{
@@ -195,7 +197,11 @@ class Interpreter {
     const SubPoint from = in.subpoint("x0", "y0");
     const SubPoint to = in.subpoint("x1", "y1");
     const int width = in.subpixel("width");
-    pending_ = ThickLine{from, to, width, in.left() > 0 ? in.one_of("cap", caps) : Cap::butt};
+    const Cap cap = in.left() > 0 ? in.one_of("cap", caps) : Cap::butt;
+    const ThickLineMethod method = chosen(thick_line_methods);
+    if (method == ThickLineMethod::minor && (cap != Cap::butt || width % linear::subpixel_one != 0))
+      throw Failure("this method needs a whole width and has only butt ends");
+    pending_ = ThickLine{from, to, width, cap, method};
   }
   void polyline(Arguments& in) {
     Polyline line;

@@ -19,6 +19,7 @@ enum class Unit : std::uint8_t {
   lsb_q15,  ///< 2^-15.
   lsb_q16,  ///< 2^-16.
   pixel,    ///< The distance of two pixels.
+  value,    ///< The true value itself: a relative error.
 };
 
 /// |computed - true| <= thousandths / 1000 of the unit.
@@ -38,6 +39,10 @@ struct Bound {
 }
 
 [[nodiscard]] constexpr Bound pixels(std::int32_t thousandths) noexcept { return {thousandths, Unit::pixel}; }
+
+[[nodiscard]] constexpr Bound parts_of_value(std::int32_t thousandths) noexcept {
+  return {thousandths, Unit::value};
+}
 
 /// A way of computing a value: callable without state, with its error bound.
 template <class R>

@@ -96,6 +96,13 @@ TEST(Draw, ThickLine) {
   });
 }
 
+TEST(Draw, ThickLineAlongTheMinorAxis) {
+  expect_pixels("method minor\nthickline 5 30 40.5 3 4", [](int x, int y) {
+    const auto on = [&](int row) { return oracle::on_sub_line(1280, 7680, 10368, 768, x, row); };
+    return on(y - 1) || on(y) || on(y + 1) || on(y + 2);
+  });
+}
+
 TEST(Draw, Polyline) {
   using intaglio::raster::Cap;
   using intaglio::raster::Join;
@@ -451,6 +458,12 @@ TEST(DrawErrors, SayTheLineTheCommandAndWhatIsWrong) {
       {"S\nthickline 0 0 5 5 1 flat", "line 2: thickline: the cap must be butt, square or round, not 'flat'"},
       {"S\nthickline 0 0 5 5", "line 2: thickline: width is missing"},
       {"S\nthickline 0 0 5 5 1 round 3", "line 2: thickline: '3' is one argument too many"},
+      {"S\nmethod minor\nthickline 0 0 5 5 1.5",
+       "line 3: thickline: this method needs a whole width and has only butt ends"},
+      {"S\nmethod minor\nthickline 0 0 5 5 3 round",
+       "line 3: thickline: this method needs a whole width and has only butt ends"},
+      {"S\nmethod line1\nthickline 0 0 5 5 3",
+       "line 3: thickline: no method 'line1'; there are across minor"},
       {"S\npolyline 3 0 0 5 5", "line 2: polyline: the join must be miter, bevel or round, not '0'"},
       {"S\npolyline 3", "line 2: polyline: join is missing"},
       {"S\npolyline 3 miter", "line 2: polyline: x is missing"},

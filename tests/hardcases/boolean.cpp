@@ -62,4 +62,109 @@ TEST(BooleanHardCases, MartinezIssue10SquaresThatTouchAlongAnEdge) {
   EXPECT_EQ(combined(BooleanRule::a_minus_b, a, b).contours.at(0).size(), 4U);
 }
 
+/// The area of all four combinations is exact, and what is left of a and what is taken from it make a.
+void expect_exact(const Shape& a, const Shape& b) {
+  for (const BooleanRule rule : tests::all_rules) {
+    const tests::Combined result = combined(rule, a, b);
+    ASSERT_TRUE(result.status.ok());
+    ASSERT_EQ(result.area(), exact_area(rule, a, b)) << tests::text(a) << " with " << tests::text(b);
+  }
+  ASSERT_EQ(combined(BooleanRule::intersection, a, b).area() + combined(BooleanRule::a_minus_b, a, b).area(),
+            combined(BooleanRule::join, a, {}).area());
+}
+
+// polygon-clipping #60: a vertex that lies on an edge but for the last bits. Degrees from (-91.413, 29.5315),
+// in 2^-29; the vertex is tried on all places around, so that it is on both sides of the edge and on it.
+TEST(BooleanHardCases, PolygonClippingIssue60AVertexNextToAnEdge) {
+  for (int dx = -1; dx <= 1; ++dx)
+    for (int dy = -1; dy <= 1; ++dy) {
+      const Shape a{{{0, 0}, {-327174 + dx, -80531 + dy}, {-265375, -232089}}};
+      const Shape b{{{0, 0}, {-387245, 66790}, {-283392, -187905}}};
+      expect_exact(a, b);
+    }
+}
+TEST(BooleanHardCases, PolygonClippingIssue60LongThinTriangles) {
+  // 4096 to the unit.
+  const Shape a{{{598528, -335380}, {99330, 159828}, {322833, -133306}}};
+  const Shape b{{{318008, -196701}, {380748, -53381}, {215956, 135773}}};
+  const auto half = [](Shape shape) {
+    for (auto& p : shape[0]) p = {p.x / 2, p.y / 2};
+    return shape;
+  };
+  expect_exact(half(a), half(b));
+}
+
+// polygon-clipping #141: "unable to complete output ring". 2^17 to the unit; the other triangles lie
+// practically upon it.
+TEST(BooleanHardCases, PolygonClippingIssue141TrianglesPracticallyUponEachOther) {
+  const Shape a{{{9345, 157758}, {127887, 169673}, {140968, 215129}}};
+  for (int i = 0; i < 729; i += 7) {
+    Shape b = a;
+    int digits = i;
+    for (auto& p : b[0]) {
+      p.x += digits % 3 - 1;
+      p.y += digits / 3 % 3 - 1;
+      digits /= 9;
+    }
+    expect_exact(a, b);
+  }
+}
+
+// GEOS #1523: a hole as thin as rounding across which the other's edge runs. From (380, 3425), 60000 to the
+// unit: the hole's height is less than one unit there, so it is tried as none and as one either way.
+TEST(BooleanHardCases, GeosIssue1523SliverHole) {
+  const Shape a{{{-18337, -120000}, {120000, -120000}, {120000, 180000}, {-18337, 180000}}};
+  for (int height = -1; height <= 1; ++height) {
+    const Shape b{{{0, 198000}, {120000, 240000}, {480000, -180000}, {-180000, -180000}, {-120000, 120000}},
+                  {{-50778, 131983}, {44160, 131983}, {-13371, 131983 + height}}};
+    expect_exact(a, b);
+    const tests::Combined left = combined(BooleanRule::a_minus_b, a, b);
+    EXPECT_EQ(left.contours.size(), height == 0 ? 0U : 1U);
+    EXPECT_EQ(left.area() > 0, height != 0);
+    EXPECT_LT(left.area(), 44160 + 18337);
+  }
+}
+
+// Earcut: polygons with holes keep their area; here as sets, pixels and parts.
+void expect_area_is_kept(const Shape& outer, const Shape& holes) {
+  Shape both = outer;
+  both.insert(both.end(), holes.begin(), holes.end());
+  const mpq_class area = exact_area(BooleanRule::a_minus_b, outer, holes);
+  EXPECT_EQ(combined(BooleanRule::a_minus_b, outer, holes).area(), area);
+  EXPECT_EQ(combined(BooleanRule::join, both, {}).area(), area);
+  EXPECT_EQ(combined(BooleanRule::join, both, holes).area(), combined(BooleanRule::join, outer, {}).area());
+}
+TEST(BooleanHardCases, EarcutPull177HolesThatShareAVertex) {
+  expect_area_is_kept({{{0, 0}, {20, 0}, {20, 25}, {0, 25}}},
+                      {{{3, 3}, {2, 12}, {9, 15}}, {{9, 21}, {2, 12}, {7, 22}}});
+}
+TEST(BooleanHardCases, EarcutIssue147HolesThatShareParts) {
+  expect_area_is_kept({{{-2428, 1634},
+                        {-2425, 1471},
+                        {-2409, 1156},
+                        {-2384, 842},
+                        {-2349, 529},
+                        {-2303, 217},
+                        {-2248, -92},
+                        {-2183, -401},
+                        {-2138, -588},
+                        {-2138, -681},
+                        {-2163, -681},
+                        {-2163, -1570},
+                        {-2138, -1570},
+                        {-2138, -1708},
+                        {2641, -1708},
+                        {2641, -29},
+                        {3200, -29},
+                        {3200, 1634}}},
+                      {{{-1845, -1692}, {-930, -1692}, {-930, -1387}, {-1845, -1387}},
+                       {{-1235, -1387}, {-321, -1387}, {-321, -1083}, {-1235, -1083}},
+                       {{-1540, -1083}, {-625, -1083}, {-625, -778}, {-1540, -778}}});
+}
+TEST(BooleanHardCases, EarcutPull209CollinearVerticesHaveNoArea) {
+  const Shape line{{{1, 2}, {13, 26}, {25, 50}, {37, 74}}};
+  EXPECT_TRUE(combined(BooleanRule::join, line, {}).contours.empty());
+  expect_area_is_kept({{{0, 0}, {50, 0}, {50, 80}, {0, 80}}}, line);
+}
+
 }  // namespace

@@ -4,8 +4,16 @@
 // bit.
 #include <intaglio/image/blit.hpp>
 #include <intaglio/image/ramp.hpp>
+#include <intaglio/image/rotozoom.hpp>
+#include <intaglio/image/scale.hpp>
 #include <intaglio/image/surface.hpp>
+#include <intaglio/raster/round_rect.hpp>
+#include <intaglio/raster/solid.hpp>
+#include <intaglio/text/draw_text.hpp>
+#include <tests/oracle/circle.hpp>
 #include <tests/oracle/packed.hpp>
+#include <tests/oracle/recording_sink.hpp>
+#include <tests/text/test_font.hpp>
 
 #include <gtest/gtest.h>
 
@@ -60,6 +68,136 @@ TEST(HardImages, LovyanIssue454SpritesAtNegativeColumns) {
       for (int column = -x; column < 16; ++column) expected.set(x + column, row - 2, sprite.get(column, row));
     ASSERT_TRUE(blit(over<Indexed4>(screen, 32, 12), {x, -2}, over<Indexed4>(sprite, 16, 9)).ok());
     ASSERT_EQ(screen.bytes(), expected.bytes()) << x;
+  }
+}
+
+// LovyanGFX #454: a picture of 4 bits, turned or scaled, vanished where it began left of the screen.
+TEST(HardImages, LovyanIssue454TurnedPicturesAtNegativeColumns) {
+  oracle::Random random(454);
+  Packed sprite(4, true, 8, 16);
+  sprite.randomize(random);
+  const auto source = over<Indexed4>(sprite, 16, 16);
+  for (int degrees = 0; degrees < 360; degrees += 15) {
+    // The same picture on a larger screen whose columns and rows begin further out.
+    Packed large(4, true, 32, 64);
+    Packed small(4, true, 16, 32);
+    intaglio::image::Rotozoom placement{{256 * 35, 256 * 36},
+                                        {128 * 15, 128 * 15},
+                                        intaglio::number::Angle::from_degrees(degrees),
+                                        intaglio::number::Fixed<16>::from_raw(98304)};
+    ASSERT_TRUE(blit_rotozoom(over<Indexed4>(large, 64, 64), placement, source).ok());
+    placement.position = {256 * 3, 256 * 4};
+    ASSERT_TRUE(blit_rotozoom(over<Indexed4>(small, 32, 32), placement, source).ok());
+    int shown = 0;
+    for (int y = 0; y < 32; ++y)
+      for (int x = 0; x < 32; ++x) {
+        ASSERT_EQ(small.get(x, y), large.get(x + 32, y + 32)) << degrees << ": " << x << ' ' << y;
+        shown += small.get(x, y) != 0 ? 1 : 0;
+      }
+    EXPECT_GT(shown, 100) << degrees;
+  }
+}
+
+// Arduino_GFX PR #807: a cursor at (-3, -2) wrote before the first row.
+TEST(HardImages, ArduinoGfxPull807TextAtNegativePlaces) {
+  oracle::RecordingSink large({-40, -40, 120, 80});
+  oracle::RecordingSink screen({0, 0, 40, 20});
+  ASSERT_TRUE(intaglio::text::draw_text(large, test_font::font, {-3, -2}, "CAC\nAC?").ok());
+  ASSERT_TRUE(intaglio::text::draw_text(screen, test_font::font, {-3, -2}, "CAC\nAC?").ok());
+  EXPECT_EQ(screen.violation(), "");
+  EXPECT_GT(large.touched(), screen.touched());
+  EXPECT_GT(screen.touched(), 30);
+  for (int y = 0; y < 20; ++y)
+    for (int x = 0; x < 40; ++x) ASSERT_EQ(screen.writes(x, y), large.writes(x, y)) << x << ' ' << y;
+}
+
+// Slint PR #4571: at 400.499999 and a scale of 1.5 the left and the right edge were rounded differently. The
+// parts of a picture meet without gap or overlap wherever it lies, and are the whole one.
+TEST(HardImages, SlintPull4571EdgesAtHalfPixelsAndScaleOneAndAHalf) {
+  Packed memory(4, true, 20, 6);
+  oracle::Random random(4571);
+  memory.randomize(random);
+  for (int y = 0; y < 6; ++y)
+    for (int x = 0; x < 40; ++x) memory.set(x, y, memory.get(x, y) | 1U);
+  const auto source = over<Indexed4>(memory, 40, 6);
+  for (int place = 256 * 400; place <= 256 * 401; place += 8)
+    for (const int seam : {1, 17, 20, 39}) {
+      const intaglio::image::Rotozoom whole{
+          {place, place - 256 * 395}, {}, {}, intaglio::number::Fixed<16>::from_raw(98304)};
+      intaglio::image::Rotozoom right = whole;
+      right.pivot.x = -256 * seam;
+      const auto drawn = [](const auto& picture, const intaglio::image::Rotozoom& placement) {
+        Packed screen(4, true, 240, 20);
+        EXPECT_TRUE(blit_rotozoom(over<Indexed4>(screen, 480, 20), placement, picture).ok());
+        return screen;
+      };
+      const Packed all = drawn(source, whole);
+      const Packed first = drawn(source.sub({0, 0, seam, 6}), whole);
+      const Packed second = drawn(source.sub({seam, 0, 40 - seam, 6}), right);
+      int shown = 0;
+      int wrong = 0;
+      for (int y = 0; y < 20; ++y)
+        for (int x = 390; x < 480; ++x) {
+          shown += all.get(x, y) != 0 ? 1 : 0;
+          wrong += first.get(x, y) != 0 && second.get(x, y) != 0 ? 1 : 0;
+          wrong += (first.get(x, y) | second.get(x, y)) != all.get(x, y) ? 1 : 0;
+        }
+      ASSERT_GE(shown, 59 * 8) << place;
+      ASSERT_LE(shown, 61 * 10) << place;
+      ASSERT_EQ(wrong, 0) << place << ' ' << seam;
+    }
+}
+
+// Slint #9136: a very large picture. The last of 2^21 columns shows the last of 2^20, and a picture too large
+// for 16.16 is refused.
+TEST(HardImages, SlintIssue9136VeryLargePictures) {
+  constexpr int columns = 1 << 20;
+  Packed memory(1, true, columns / 8, 1);
+  memory.set(columns - 1, 0, 1);
+  const auto source = over<intaglio::image::Indexed1>(memory, columns, 1);
+  Packed screen(8, true, 9, 1);
+  const auto target = over<Indexed8>(screen, 9, 1);
+  ASSERT_TRUE(blit_scaled(target, {7 - 2 * columns, 0, 2 * columns, 1}, source).error() ==
+              intaglio::Error::out_of_domain);
+  ASSERT_TRUE(blit_scaled(target, {7 - columns, 0, columns, 1}, source).ok());
+  EXPECT_EQ(screen.bytes(), (std::vector<std::uint8_t>{0, 0, 0, 0, 0, 0, 1, 0, 0}));
+  EXPECT_EQ(blit_rotozoom(target, {}, source).error(), intaglio::Error::too_large);
+}
+
+// LVGL's radius mask on an object of 2560 x 2560: squares beyond 16 bits. As a mask of one bit it lets the
+// same pixels of any picture through.
+TEST(HardImages, LvglRadiusMaskOf2560Pixels) {
+  constexpr int side = 2560;
+  constexpr int radius = 1279;  // what half of the side leaves room for
+  using intaglio::image::Indexed1;
+  Packed memory(1, true, side / 8, side);
+  const auto mask = over<Indexed1>(memory, side, side);
+  const intaglio::raster::Solid ink(mask, 1);
+  ASSERT_TRUE(fill_round_rect(ink, {0, 0, side, side}, intaglio::raster::CornerRadii::all(side)).ok());
+  int wrong = 0;
+  for (int y = 0; y < side; ++y) {
+    const int dy = y < radius ? radius - y : y > radius + 1 ? y - radius - 1 : 0;
+    const int reach = oracle::outline_reach(radius, dy);
+    for (int x = 0; x < side; ++x) {
+      const int dx = x < radius ? radius - x : x > radius + 1 ? x - radius - 1 : 0;
+      wrong += (mask.get(x, y) != 0) == (dx <= reach) ? 0 : 1;
+    }
+  }
+  EXPECT_EQ(wrong, 0);
+
+  Packed full(1, true, side / 8, side);
+  for (std::uint8_t& byte : full.bytes()) byte = 255;
+  Packed screen(8, true, 320, 240);
+  for (const int corner : {0, -375, -1000, -2300}) {
+    for (std::uint8_t& byte : screen.bytes()) byte = 0;
+    ASSERT_TRUE(blit(over<Indexed8>(screen, 320, 240), {corner, corner}, over<Indexed1>(full, side, side),
+                     intaglio::image::Masked{mask})
+                    .ok());
+    for (int y = 0; y < 240; ++y)
+      for (int x = 0; x < 320; ++x) {
+        const bool on = x - corner < side && y - corner < side && mask.get(x - corner, y - corner) != 0;
+        ASSERT_EQ(screen.get(x, y), on ? 1U : 0U) << corner << ": " << x << ' ' << y;
+      }
   }
 }
 

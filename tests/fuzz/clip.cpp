@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// The three line clippers, Sutherland-Hodgman, and the stack of clips.
+// The three line clippers, Sutherland-Hodgman, the stack of clips, and drawing through a polygon.
 #include <intaglio/clip/clip_stack.hpp>
 #include <intaglio/clip/convex.hpp>
-#include <intaglio/raster/convex.hpp>
+#include <intaglio/raster/disc.hpp>
+#include <intaglio/raster/line.hpp>
+#include <intaglio/raster/polygon_clip.hpp>
 #include <tests/clip/line_window_difference.hpp>
-#include <tests/fuzz/scene.hpp>
+#include <tests/fuzz/polygon_input.hpp>
 
 namespace fuzz {
 namespace {
@@ -117,13 +119,51 @@ void stack(Input& in, const Scene& scene) {
   }
 }
 
+void through_polygon(Input& in, const Scene& scene) {
+  using namespace intaglio::raster;
+  const Polygon polygon(in, scene, 12);
+  const auto over = [&](std::span<PolygonEdge> edges, std::span<RowSpan> spans) {
+    return PolygonClip::over(polygon.rule, polygon.vertices, polygon.lengths, scene.window, edges, spans);
+  };
+  auto edges =
+      exact_workspace<PolygonEdge>([&](std::span<PolygonEdge> space) { return over(space, {}).status(); });
+  std::vector<RowSpan> spans;
+  auto made = over(edges, spans);
+  if (made.status().error() == intaglio::Error::too_small) {
+    require(made.status().argument() == intaglio::Argument::table, "PolygonClip: too little of what?");
+    spans.resize(made.status().needed());
+    made = over(edges, spans);
+  }
+  const Drawn filled = drawn(scene.window, [&](auto& sink) {
+    return fill_polygon(sink, polygon.rule, polygon.vertices, polygon.lengths, edges);
+  });
+  require(made.status() == filled.status, "PolygonClip and fill_polygon answer differently");
+  if (!made.ok()) return;
+  const PolygonClip& clip = made.value();
+  const Point a = scene.point(in);
+  const Point b = scene.point(in);
+  const int radius = in.length();
+  const bool line = in.choice(2) == 0;
+  const auto draw = [&](auto& sink) { return line ? draw_line(sink, a, b) : fill_disc(sink, a, radius); };
+  const auto inside = [&](auto& sink) {
+    PolygonClipped clipped(sink, clip);
+    return draw(clipped);
+  };
+  const Drawn all = drawn(scene.window, draw);
+  const Drawn some = check(scene, in, inside);
+  for_pixels(scene.window, [&](int x, int y) {
+    require(some.has(x, y) == (all.has(x, y) && filled.has(x, y)), "not what lies inside the polygon");
+  });
+}
+
 }  // namespace
 
 void run(Input in) {
-  const int what = in.choice(3);
+  const int what = in.choice(4);
   const Scene scene(in);
   if (what == 0) return line_window(in, scene);
   if (what == 1) return convex(in, scene);
+  if (what == 2) return through_polygon(in, scene);
   stack(in, scene);
 }
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Circles, ellipses, rings, arcs, pies, chords and round rectangles.
+// Circles, ellipses, rings, round rectangles, and arcs, pies and chords of both.
 #include <intaglio/raster/arc.hpp>
 #include <intaglio/raster/chord.hpp>
 #include <intaglio/raster/circle.hpp>
 #include <intaglio/raster/disc.hpp>
 #include <intaglio/raster/ellipse.hpp>
+#include <intaglio/raster/ellipse_arc.hpp>
 #include <intaglio/raster/ring.hpp>
 #include <intaglio/raster/round_rect.hpp>
 #include <tests/fuzz/scene.hpp>
@@ -101,22 +102,48 @@ void ring(Input& in, const Scene& scene) {
                "a ring and the disc inside aren't the disc");
 }
 
-/// A part in a sweep, and the part in the rest of the turn, make the whole.
-template <class Part, class Whole>
-void swept(Input& in, const Scene& scene, Part part, Whole whole) {
+/// A part in a sweep, and the part in the rest of the turn, make the whole. `size` is a radius or two.
+template <class Part, class Whole, class... Size>
+void swept(Input& in, const Scene& scene, Part part, Whole whole, Size... size) {
   const Point centre = scene.point(in);
-  const int radius = in.length();
   const auto start = Angle::from_steps(in.byte() * 256 + in.choice(3));
   const int kind = in.byte();
   const int sweep = kind < 0x80 ? kind * 1024 - 65536 : kind < 0xC0 ? in.medium() * 2 : in.any();
-  const Drawn one = check(scene, in, [&](auto& sink) { return part(sink, centre, radius, start, sweep); });
+  const Drawn one = check(scene, in, [&](auto& sink) { return part(sink, centre, size..., start, sweep); });
   if (!one.status.ok() || sweep <= 0 || sweep >= Angle::turn) return;
   const Drawn both = drawn(scene.window, [&](auto& sink) {
-    part(sink, centre, radius, start, sweep).ignore();
-    return part(sink, centre, radius, start + Angle::from_steps(sweep), Angle::turn - sweep);
+    part(sink, centre, size..., start, sweep).ignore();
+    return part(sink, centre, size..., start + Angle::from_steps(sweep), Angle::turn - sweep);
   });
-  require_same(both, drawn(scene.window, [&](auto& sink) { return whole(sink, centre, radius); }),
+  require_same(both, drawn(scene.window, [&](auto& sink) { return whole(sink, centre, size...); }),
                "a sweep and the rest of the turn aren't the whole");
+}
+
+void circle_arcs(Input& in, const Scene& scene) {
+  const int what = in.choice(3);
+  const int radius = in.length();
+  const auto arc = [](auto& sink, auto... arguments) { return draw_arc(sink, arguments...); };
+  const auto circle = [](auto& sink, auto... arguments) { return draw_circle(sink, arguments...); };
+  const auto pie = [](auto& sink, auto... arguments) { return fill_pie(sink, arguments...); };
+  const auto chord = [](auto& sink, auto... arguments) { return fill_chord(sink, arguments...); };
+  const auto disc = [](auto& sink, auto... arguments) { return fill_disc(sink, arguments...); };
+  if (what == 0) return swept(in, scene, arc, circle, radius);
+  if (what == 1) return swept(in, scene, pie, disc, radius);
+  swept(in, scene, chord, disc, radius);
+}
+
+void ellipse_arcs(Input& in, const Scene& scene) {
+  const int what = in.choice(3);
+  const int rx = in.length();
+  const int ry = in.length();
+  const auto arc = [](auto& sink, auto... arguments) { return draw_ellipse_arc(sink, arguments...); };
+  const auto outline = [](auto& sink, auto... arguments) { return draw_ellipse(sink, arguments...); };
+  const auto pie = [](auto& sink, auto... arguments) { return fill_ellipse_pie(sink, arguments...); };
+  const auto chord = [](auto& sink, auto... arguments) { return fill_ellipse_chord(sink, arguments...); };
+  const auto filled = [](auto& sink, auto... arguments) { return fill_ellipse(sink, arguments...); };
+  if (what == 0) return swept(in, scene, arc, outline, rx, ry);
+  if (what == 1) return swept(in, scene, pie, filled, rx, ry);
+  swept(in, scene, chord, filled, rx, ry);
 }
 
 void round_rect(Input& in, const Scene& scene) {
@@ -147,7 +174,6 @@ void round_rect(Input& in, const Scene& scene) {
 void run(Input in) {
   const int what = in.choice(8);
   const Scene scene(in);
-  const auto disc = [](auto& sink, Point c, int r) { return fill_disc(sink, c, r); };
   switch (what) {
     case 0:
       return circle(in, scene);
@@ -158,17 +184,11 @@ void run(Input in) {
     case 3:
       return ring(in, scene);
     case 4:
-      return swept(
-          in, scene, [](auto& sink, auto... arguments) { return draw_arc(sink, arguments...); },
-          [](auto& sink, Point c, int r) { return draw_circle(sink, c, r); });
-    case 5:
-      return swept(
-          in, scene, [](auto& sink, auto... arguments) { return fill_pie(sink, arguments...); }, disc);
-    case 6:
-      return swept(
-          in, scene, [](auto& sink, auto... arguments) { return fill_chord(sink, arguments...); }, disc);
-    default:
       return round_rect(in, scene);
+    case 5:
+      return circle_arcs(in, scene);
+    default:
+      return ellipse_arcs(in, scene);
   }
 }
 

@@ -4,12 +4,16 @@
 #include <intaglio/image/blit.hpp>
 #include <intaglio/image/rotozoom.hpp>
 #include <intaglio/image/scale.hpp>
+#include <intaglio/image/three_shear.hpp>
 #include <intaglio/number/sine.hpp>
 #include <tests/fuzz/scene.hpp>
 #include <tests/oracle/rotozoom.hpp>
 #include <tests/oracle/scale.hpp>
+#include <tests/oracle/three_shear.hpp>
 
+#include <map>
 #include <optional>
+#include <utility>
 
 namespace fuzz {
 namespace {
@@ -82,7 +86,9 @@ void check_copy(const Scene& scene, Pair<F, G>& pair, const Rule& rule, Copy cop
     if (scene.visible.contains({x, y}))
       if (const std::optional<Point> from = source_of(x, y)) {
         const unsigned index = source[static_cast<std::size_t>(from->y * columns + from->x)];
-        if (rule.shows(index)) expected = rule.map(index);
+        bool seen = rule.shows(index);
+        if constexpr (requires { rule.mask; }) seen = seen && rule.mask.get(from->x, from->y) != 0;
+        if (seen) expected = rule.map(index);
       }
     require(pair.target.get(x, y) == expected, "not the pixel of the source");
     restored.set(x, y, *old);
@@ -91,10 +97,25 @@ void check_copy(const Scene& scene, Pair<F, G>& pair, const Rule& rule, Copy cop
   require(pair.memory == bytes_before, "memory beside the pixels changes");
 }
 
+/// The rest of the angle is its distance from the nearest quarter turn; half-way it is an eighth back.
+oracle::ThreeShear oracle_of(const image::ThreeShear& p, linear::Size size) {
+  const int quarters = (p.angle.steps() + 8192) / 16384;
+  const auto rest = number::Angle::from_steps(p.angle.steps() - 16384 * quarters);
+  return {size.width,
+          size.height,
+          p.position.x,
+          p.position.y,
+          p.pivot.x,
+          p.pivot.y,
+          quarters,
+          number::sine(rest).raw(),
+          number::cosine(rest).raw()};
+}
+
 template <class F, class G, class Rule>
 void copies(Input& in, const Scene& scene, Pair<F, G>& pair, const Rule& rule) {
   const auto size = pair.source.size();
-  switch (in.choice(3)) {
+  switch (in.choice(4)) {
     case 0: {
       const Point at = scene.point(in);
       check_copy<F, G>(
@@ -118,6 +139,29 @@ void copies(Input& in, const Scene& scene, Pair<F, G>& pair, const Rule& rule) {
             if (size.width == 0 || x < to.x || y < to.y || x >= to.right() || y >= to.bottom()) return {};
             return Point{oracle::scaled_source(x - to.x, size.width, to.width),
                          oracle::scaled_source(y - to.y, size.height, to.height)};
+          });
+      return;
+    }
+    case 2: {
+      image::ThreeShear placement;
+      placement.position = scene.sub_point(in);
+      placement.pivot = scene.sub_point(in);
+      placement.angle = number::Angle::from_steps(in.byte() * 256 + in.choice(3));
+      const oracle::ThreeShear map = oracle_of(placement, size);
+      std::map<std::pair<oracle::Wide, oracle::Wide>, Point> landed;
+      for_pixels({0, 0, size.width, size.height}, [&](int x, int y) {
+        const auto place = map.land(x, y);
+        require(landed.try_emplace({place.x, place.y}, Point{x, y}).second, "two pixels land on one");
+      });
+      check_copy<F, G>(
+          scene, pair, rule,
+          [&](const Rule& r) {
+            return image::blit_three_shear(pair.target, placement, pair.source, r, scene.clip);
+          },
+          [&](int x, int y) -> std::optional<Point> {
+            const auto found = landed.find({x, y});
+            if (found == landed.end()) return {};
+            return found->second;
           });
       return;
     }
@@ -162,7 +206,18 @@ void rules(Input& in) {
   for (std::size_t i = 0; i < table.size(); ++i)
     table[i] = static_cast<std::uint8_t>((i + static_cast<unsigned>(shift)) & F::max_index);
   if (shift >= 0xFC) table.pop_back();
-  switch (in.choice(4)) {
+  // Now and then a mask of another size.
+  const auto size = pair.source.size();
+  const int more = in.choice(16) == 0 ? 1 : 0;
+  std::vector<std::uint8_t> bits(static_cast<std::size_t>(size.width + more + 7) / 8U *
+                                 static_cast<std::size_t>(size.height));
+  for (std::size_t i = 0; i < bits.size(); ++i) bits[i] = static_cast<std::uint8_t>(key * i + i);
+  Picture<image::Indexed1> mask;
+  if (!pair.source.empty())
+    mask = Picture<image::Indexed1>::over(bits, {size.width + more, size.height}).value();
+  switch (in.choice(5)) {
+    case 4:
+      return copies(in, scene, pair, image::Masked<image::Indexed1, image::KeyedRemap>{mask, {key, table}});
     case 0:
       if constexpr (G::bits <= F::bits) return copies(in, scene, pair, image::Everything{});
       [[fallthrough]];

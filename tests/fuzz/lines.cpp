@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
-// Pixels, straight runs, rectangles, lines, dashes and thick lines.
+// Pixels, straight runs, rectangles, lines, dashes, thick lines and polylines.
 #include <intaglio/raster/dash.hpp>
 #include <intaglio/raster/line.hpp>
 #include <intaglio/raster/pixel.hpp>
+#include <intaglio/raster/polyline.hpp>
 #include <intaglio/raster/rectangle.hpp>
 #include <intaglio/raster/thick_line.hpp>
-#include <tests/fuzz/scene.hpp>
+#include <tests/fuzz/workspace.hpp>
 #include <tests/oracle/line.hpp>
+
+#include <algorithm>
 
 namespace fuzz {
 namespace {
@@ -81,26 +84,57 @@ void dashes(Input& in, const Scene& scene) {
   });
 }
 
+/// One beyond those that there are, too.
+Cap cap(Input& in) { return static_cast<Cap>(in.choice(4)); }
+
 void thick(Input& in, const Scene& scene) {
-  // One cap beyond those that there are.
-  const auto cap = static_cast<Cap>(in.choice(3));
+  const Cap ends = cap(in);
   if (in.choice(2) == 0) {
     const SubPoint a = scene.sub_point(in);
     const SubPoint b = scene.sub_point(in);
     const int width = in.sub_coordinate(0, 32);
-    check(scene, in, [&](auto& sink) { return draw_thick_line(sink, a, b, width, cap); });
-  } else {
-    const Point a = scene.point(in);
-    const Point b = scene.point(in);
-    const int width = in.length();
-    check(scene, in, [&](auto& sink) { return draw_thick_line(sink, a, b, width, cap); });
+    const Drawn whole =
+        check(scene, in, [&](auto& sink) { return draw_thick_line(sink, a, b, width, ends); });
+    const Drawn back =
+        drawn(scene.window, [&](auto& sink) { return draw_thick_line(sink, b, a, width, ends); });
+    require_same(whole, back, "draw_thick_line: from B to A isn't from A to B");
+    return;
   }
+  const Point a = scene.point(in);
+  const Point b = scene.point(in);
+  const int width = in.length();
+  check(scene, in, [&](auto& sink) { return draw_thick_line(sink, a, b, width, ends); });
+}
+
+void polyline(Input& in, const Scene& scene) {
+  Stroke stroke;
+  stroke.width = in.sub_coordinate(0, 32);
+  stroke.join = static_cast<Join>(in.choice(4));
+  stroke.cap = cap(in);
+  stroke.closed = in.choice(2) == 1;
+  stroke.miter_limit = in.sub_coordinate(18, 1);
+  std::vector<SubPoint> points(static_cast<std::size_t>(in.choice(8)));
+  for (SubPoint& p : points) p = scene.sub_point(in);
+  oracle::RecordingSink probe(scene.window);
+  auto edges = exact_workspace<StrokeEdge>(
+      [&](std::span<StrokeEdge> space) { return draw_polyline(probe, points, stroke, space); });
+  const Drawn whole =
+      check(scene, in, [&](auto& sink) { return draw_polyline(sink, points, stroke, edges); });
+  if (!whole.status.ok()) return;
+  const auto needed = polyline_workspace(points, stroke, scene.window);
+  require(needed.ok() && needed.value() == edges.size(), "polyline_workspace isn't what draw_polyline needs");
+  // The way back may take other edges; 8 a point always do.
+  std::reverse(points.begin(), points.end());
+  edges.resize(8 * points.size());
+  require_same(whole,
+               drawn(scene.window, [&](auto& sink) { return draw_polyline(sink, points, stroke, edges); }),
+               "draw_polyline: from the last point to the first isn't from the first to the last");
 }
 
 }  // namespace
 
 void run(Input in) {
-  const int what = in.choice(5);
+  const int what = in.choice(6);
   const Scene scene(in);
   switch (what) {
     case 0:
@@ -111,8 +145,10 @@ void run(Input in) {
       return sub_line(in, scene);
     case 3:
       return dashes(in, scene);
-    default:
+    case 4:
       return thick(in, scene);
+    default:
+      return polyline(in, scene);
   }
 }
 

@@ -5,11 +5,10 @@
 #pragma once
 
 #include <intaglio/raster/contours.hpp>
-#include <tests/fuzz/scene.hpp>
+#include <tests/fuzz/workspace.hpp>
 #include <tests/oracle/polygon.hpp>
 
 #include <cstddef>
-#include <span>
 #include <vector>
 
 namespace fuzz {
@@ -56,20 +55,5 @@ struct Polygon {
     return scene.sub_point(in);
   }
 };
-
-/// A workspace of exactly as many entries as the library asks for, so that a sanitizer sees each one beyond.
-/// `draw(workspace)` answers a status; one entry less must be refused, and say so.
-template <class Entry, class Draw>
-std::vector<Entry> exact_workspace(Draw draw) {
-  std::vector<Entry> workspace;
-  const Status status = draw(std::span<Entry>(workspace));
-  if (status.error() != intaglio::Error::too_small || status.argument() != intaglio::Argument::workspace)
-    return workspace;
-  require(status.needed() > 0, "a workspace of no entry is too small, but none is needed");
-  workspace.resize(status.needed() - 1);
-  require(draw(std::span<Entry>(workspace)) == status, "one entry less than needed isn't refused alike");
-  workspace.resize(status.needed());
-  return workspace;
-}
 
 }  // namespace fuzz

@@ -32,6 +32,8 @@ Status cover_adaptively(S&& sink, const linear::Rect& area, int scale, Inside in
   if (!linear::in_domain(area)) return {Error::out_of_domain, Argument::rectangle};
   if (scale < 2 || scale > Enlargement::limit) return {Error::out_of_range, Argument::steps};
   const linear::Rect box = linear::intersect(Enlargement(scale).window(sink.clip()), area);
+  // Without a column to look at, the left corners may be places that there are not.
+  if (box.empty()) return {};
   const detail::SampleLevels levels(scale * scale);
   const int pixel = scale * linear::subpixel_one;
   const int middle = pixel / 2;

@@ -86,8 +86,9 @@ extern template class WindingScan<StrokeEdge>;
 /// The spans of a stroke, row by row.
 class StrokeScan : public WindingScan<StrokeEdge> {
  public:
+  /// A clip without columns gets no rows: nothing is visible then, and no edge needs an entry.
   StrokeScan(const linear::Rect& clip, const std::span<StrokeEdge>& edges) noexcept
-      : WindingScan(-1, clip, edges) {}
+      : WindingScan(-1, clip.empty() ? linear::Rect{} : clip, edges) {}
 
   /// Takes the stroke in; what a call with an empty workspace needs is `count()`.
   [[nodiscard]] Status prepare(const std::span<const linear::SubPoint>& points,

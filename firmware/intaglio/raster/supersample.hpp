@@ -142,24 +142,26 @@ class SampleSink {
 /// Hands over how much of each pixel an enlarged drawing covers. `draw` is called with a `SampleSink` and
 /// draws what is to be seen, enlarged by `Enlargement(grid.scale)`, each enlarged pixel once; it answers with
 /// a `Status`. It is called once for each so many rows of the sink's clip as `workspace` has room for: a cell
-/// a column and row, one row at least. Errors: steps (a scale outside 2 .. 8), width (a window below the
-/// scale, above 8, other than the scale with the box, or odd for an even scale and the reverse), rule (the
-/// filter), workspace (too small: `needed()` cells); those of `draw`, which nothing is handed over after.
-/// Cost: what it draws, and for each span of samples about 60 instructions for each row of windows that it
-/// lies in; a look at each visible column a row.
+/// a column and row, one row at least; once under an empty clip. Errors: steps (a scale outside 2 .. 8),
+/// width (a window below the scale, above 8, other than the scale with the box, or odd for an even scale and
+/// the reverse), rule (the filter), workspace (too small: `needed()` cells); those of `draw`, which nothing
+/// is handed over after. Cost: what it draws, and for each span of samples about 60 instructions for each row
+/// of windows that it lies in; a look at each visible column a row.
 template <CoverageSink S, class Draw>
 Status supersample(S&& sink, const Supersampling& grid, const std::span<SampleCell>& workspace, Draw draw) {
   const linear::Rect clip = Enlargement(grid.scale).window(sink.clip());
   Status status = detail::SampleRows::check(grid, clip, workspace);
   if (!status.ok()) return status;
   detail::SampleRows rows(grid, clip, workspace);
-  while (rows.next_pass()) {
-    SampleSink samples(rows);
+  SampleSink samples(rows);
+  // Where nothing is visible the drawing still says if it is one.
+  if (!rows.next_pass()) return draw(samples);
+  do {
     status = draw(samples);
     if (!status.ok()) return status;
     for (detail::CoverageSpan span; rows.next(span);)
       sink.span(span.y, span.x_begin, span.x_end, span.coverage);
-  }
+  } while (rows.next_pass());
   return {};
 }
 

@@ -8,6 +8,7 @@
 
 namespace {
 
+using intaglio::image::copy_bytes_but;
 using intaglio::image::fill_bytes;
 using intaglio::image::flip_bytes;
 using intaglio::image::Pattern;
@@ -24,6 +25,40 @@ TEST(Fill, EveryAlignmentAndLengthWritesTheRunAndNothingElse) {
       flip_bytes(flipped.data() + begin, count, Pattern(0xC3));
       ASSERT_EQ(filled, expected) << begin << " " << count;
       ASSERT_EQ(flipped, xored) << begin << " " << count;
+    }
+}
+
+TEST(CopyBytesBut, EveryAlignmentAndLengthCopiesAllOthersAndNothingElse) {
+  for (int begin = 0; begin < 8; ++begin)
+    for (int from = 0; from < 8; ++from)
+      for (int count = 0; count < 40; ++count) {
+        std::vector<std::uint8_t> source(60);
+        // Keys at all places of a word, alone and in runs, next to bytes that differ from it in one bit.
+        for (unsigned i = 0; i < source.size(); ++i)
+          source[i] = i * i % 7 < 3 ? 0x80 : i % 3 == 0 ? 0x00 : i % 3 == 1 ? 0x81 : 0xFF;
+        std::vector<std::uint8_t> copied(60, 0x5A);
+        std::vector<std::uint8_t> expected = copied;
+        for (int i = 0; i < count; ++i) {
+          const std::uint8_t byte = source[static_cast<unsigned>(from + i)];
+          if (byte != 0x80) expected[static_cast<unsigned>(begin + i)] = byte;
+        }
+        copy_bytes_but(copied.data() + begin, source.data() + from, count, Pattern(0x80));
+        ASSERT_EQ(copied, expected) << begin << " " << from << " " << count;
+      }
+}
+
+TEST(CopyBytesBut, RunsThatOverlapAreReadFirst) {
+  for (int distance = 1; distance < 12; ++distance)
+    for (int begin = 0; begin < 4; ++begin) {
+      std::vector<std::uint8_t> bytes(60);
+      for (unsigned i = 0; i < bytes.size(); ++i) bytes[i] = static_cast<std::uint8_t>(i % 5);
+      std::vector<std::uint8_t> expected = bytes;
+      for (int i = 0; i < 40; ++i) {
+        const std::uint8_t byte = bytes[static_cast<unsigned>(begin + distance + i)];
+        if (byte != 3) expected[static_cast<unsigned>(begin + i)] = byte;
+      }
+      copy_bytes_but(bytes.data() + begin, bytes.data() + begin + distance, 40, Pattern(3));
+      ASSERT_EQ(bytes, expected) << distance << " " << begin;
     }
 }
 

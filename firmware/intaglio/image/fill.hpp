@@ -32,6 +32,10 @@ void fill_bytes(std::uint8_t* first, int count, Pattern pattern) noexcept;
 /// Exclusive-ors the pattern's byte into `count` >= 0 bytes from `first`.
 void flip_bytes(std::uint8_t* first, int count, Pattern pattern) noexcept;
 
+/// Copies `count` >= 0 bytes from `source` to `first`, but leaves those that are the pattern's byte. The runs
+/// may overlap if `first` lies before `source`.
+void copy_bytes_but(std::uint8_t* first, const std::uint8_t* source, int count, Pattern pattern) noexcept;
+
 /// A run of whole bytes between two that it may share with its neighbours.
 struct MaskedRun {
   std::uint8_t* first = nullptr;  ///< The byte in which the run begins.

@@ -161,7 +161,7 @@ TEST(BooleanHardCases, EarcutIssue147HolesThatShareParts) {
                        {{-1235, -1387}, {-321, -1387}, {-321, -1083}, {-1235, -1083}},
                        {{-1540, -1083}, {-625, -1083}, {-625, -778}, {-1540, -778}}});
 }
-TEST(BooleanHardCases, EarcutPull209CollinearVerticesHaveNoArea) {
+TEST(BooleanHardCases, EarcutIssue208CollinearVerticesHaveNoArea) {
   const Shape line{{{1, 2}, {13, 26}, {25, 50}, {37, 74}}};
   EXPECT_TRUE(combined(BooleanRule::join, line, {}).contours.empty());
   expect_area_is_kept({{{0, 0}, {50, 0}, {50, 80}, {0, 80}}}, line);

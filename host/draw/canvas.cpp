@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include <host/draw/canvas.hpp>
 #include <host/draw/counting_sink.hpp>
+#include <host/draw/smoothing.hpp>
+#include <host/failure.hpp>
 #include <intaglio/image/digest.hpp>
 #include <intaglio/image/surface.hpp>
 #include <intaglio/raster/arc.hpp>
+#include <intaglio/raster/blend_coverage.hpp>
 #include <intaglio/raster/chord.hpp>
 #include <intaglio/raster/circle.hpp>
 #include <intaglio/raster/coverage.hpp>
 #include <intaglio/raster/dash.hpp>
 #include <intaglio/raster/disc.hpp>
+#include <intaglio/raster/dithered_coverage.hpp>
 #include <intaglio/raster/ellipse.hpp>
 #include <intaglio/raster/ellipse_arc.hpp>
 #include <intaglio/raster/flood.hpp>
@@ -27,6 +31,7 @@
 #include <intaglio/text/draw_text.hpp>
 
 #include <cstddef>
+#include <span>
 #include <utility>
 
 namespace host::draw {
@@ -207,6 +212,19 @@ struct Drawer {
   }
 };
 
+/// Blends, and counts.
+template <image::PixelFormat F>
+struct CountedBlend {
+  raster::BlendCoverage<F> blend;
+  Touches touches;
+
+  [[nodiscard]] const linear::Rect& clip() const { return blend.clip(); }
+  void span(int y, int x_begin, int x_end, int coverage) const {
+    for (int x = x_begin; x < x_end; ++x) touches.add(x, y);
+    blend.span(y, x_begin, x_end, coverage);
+  }
+};
+
 template <image::PixelFormat F>
 class CanvasOf final : public Canvas {
  public:
@@ -219,9 +237,12 @@ class CanvasOf final : public Canvas {
   }
 
   Status draw(const Primitive& primitive, const Pen& pen) override {
+    const bool smooth = pen.smoothing && has_edges(primitive);
+    if (smooth && F::bits != 1) return blend(primitive, pen);
     const Touches counts(touches(), size().width);
     const auto with = [&](const auto& sink) {
       const CountingSink counting(sink, counts, pen.window ? &pen.window->clip() : nullptr);
+      if (smooth) return dither(primitive, *pen.smoothing, counting);
       return std::visit(Drawer<F, CountingSink<std::remove_cvref_t<decltype(sink)>>>{counting, surface_, pen},
                         primitive);
     };
@@ -243,8 +264,66 @@ class CanvasOf final : public Canvas {
   CanvasOf(std::vector<std::uint8_t> bytes, const image::Surface<F>& surface)
       : Canvas(surface.size(), F::max_index), bytes_(std::move(bytes)), surface_(surface) {}
 
+  /// Draws by coverage, where pixels are on or off.
+  template <class Sink>
+  static Status dither(const Primitive& primitive, const Smoothing& smoothing, const Sink& sink) {
+    raster::DitheredCoverage<const Sink&> dithered(sink);
+    return draw_smooth({sink.clip(), [&](int y, int x_begin, int x_end,
+                                         int coverage) { dithered.span(y, x_begin, x_end, coverage); }},
+                       smoothing, primitive);
+  }
+
+  /// Draws by coverage, in the palette's colours nearest to the mixtures.
+  Status blend(const Primitive& primitive, const Pen& pen) {
+    if (pen.exclusive_or) throw Failure("aa needs mode set, or 1 bit a pixel");
+    const Touches counts(touches(), size().width);
+    const auto sink = raster::BlendCoverage<F>::over(surface_, blend_table(pen), pen.clip);
+    if (!sink.ok()) return sink.status();
+    const CountedBlend<F> counted{sink.value(), counts};
+    return draw_smooth(
+        {counted.clip(),
+         [&](int y, int x_begin, int x_end, int coverage) {
+           need_row(coverage);
+           if (pen.window)
+             raster::PolygonClipped(counted, pen.window->clip()).span(y, x_begin, x_end, coverage);
+           else
+             counted.span(y, x_begin, x_end, coverage);
+         }},
+        *pen.smoothing, primitive);
+  }
+
+  /// The table of the pen's colour over the present palette. Its rows are made when they are needed.
+  image::BlendTable blend_table(const Pen& pen) {
+    constexpr int entries = F::max_index + 1;
+    const int index = static_cast<int>(pen.index);
+    if (table_.empty() || table_palette_ != palette() || table_index_ != index ||
+        table_space_ != pen.smoothing->space) {
+      table_.resize(image::BlendTable::bytes(entries, blend_steps));
+      table_has_.assign(blend_steps, false);
+      table_palette_ = palette();
+      table_index_ = index;
+      table_space_ = pen.smoothing->space;
+    }
+    return image::BlendTable::over(table_, entries, index, blend_steps).value();
+  }
+  void need_row(int step) {
+    constexpr std::size_t entries = F::max_index + 1;
+    if (step == 0 || step == blend_steps - 1 || table_has_[static_cast<std::size_t>(step)]) return;
+    table_has_[static_cast<std::size_t>(step)] = true;
+    image::make_blend_row(std::span(table_).subspan(static_cast<std::size_t>(step - 1) * entries), palette(),
+                          table_index_, step, blend_steps, table_space_)
+        .ignore();
+  }
+
+  static constexpr int blend_steps = 256;  // so that steps are levels
+
   std::vector<std::uint8_t> bytes_;  // moved here whole, so the surface's pointer stays good
   image::Surface<F> surface_;
+  std::vector<std::uint8_t> table_;  // and what it was made for
+  std::vector<bool> table_has_;
+  std::vector<std::uint8_t> table_palette_;
+  int table_index_ = 0;
+  image::BlendSpace table_space_{};
 };
 
 }  // namespace

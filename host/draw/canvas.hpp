@@ -139,12 +139,15 @@ class PolygonWindow {
   intaglio::raster::PolygonClip clip_;
 };
 
+struct Smoothing;
+
 /// How primitives are drawn.
 struct Pen {
   unsigned index = 0;
   bool exclusive_or = false;
   linear::Rect clip{};                          ///< Where it draws.
   std::shared_ptr<const PolygonWindow> window;  ///< If there is one, only what is inside this, too.
+  std::shared_ptr<const Smoothing> smoothing;   ///< If there is one, by coverage (smoothing.hpp).
 };
 
 class Canvas {
@@ -156,6 +159,7 @@ class Canvas {
   Canvas(const Canvas&) = delete;
   Canvas& operator=(const Canvas&) = delete;
 
+  /// Throws Failure if the pen's smoothing can't draw it.
   [[nodiscard]] virtual intaglio::Status draw(const Primitive& primitive, const Pen& pen) = 0;
   /// One index a pixel, row by row.
   [[nodiscard]] virtual std::vector<std::uint8_t> indices() const = 0;

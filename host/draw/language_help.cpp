@@ -11,6 +11,11 @@ std::string_view language_help() {
   palette INDEX R G B        0..255 each; at first a grey ramp, index 0 black, the last white
   color INDEX                what is drawn with (or colour); at first the last index
   mode set|xor               store the index, or exclusive-or it into what is there
+  aa off | aa METHOD [light] smooth edges: area (exact), pitteway (convex), abuffer4x4, abuffer4x8, adaptive2 to 8,
+                             stochastic2 to 8 draw lines, triangles and polygons; box2 to 8 (samples a side) and
+                             bartlettSxW (S = 2 to 5 or 7 samples a side, W to 8 a window) draw most others, too.
+                             Short: box, adaptive, stochastic (4 samples a side), abuffer, bartlett3, 5 and 7. Colours
+                             are mixed by their codes, or as light, to the palette's nearest; 1 bit is dithered
   clip X Y W H | clip none   draw only inside
   clippoly [evenodd|nonzero] X Y X Y X Y ... [/ X Y ...] | clippoly none
                              draw only inside this polygon, too; a flood spreads where it doesn't draw, as well

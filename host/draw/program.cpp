@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <host/draw/arguments.hpp>
 #include <host/draw/program.hpp>
+#include <host/draw/smoothing.hpp>
 #include <host/draw/words.hpp>
 #include <host/failure.hpp>
 #include <intaglio/status_text.hpp>
@@ -123,6 +124,16 @@ class Interpreter {
     const std::string& word = in.word("mode").text;
     if (word != "set" && word != "xor") throw Failure(fmt::format("must be set or xor, not '{}'", word));
     pen_.exclusive_or = word == "xor";
+  }
+
+  void aa(Arguments& in) {
+    if (in.take("off")) {
+      pen_.smoothing = nullptr;
+      return;
+    }
+    Smoothing smoothing = parse_smoothing(in.word("method").text);
+    if (in.take("light")) smoothing.space = intaglio::image::BlendSpace::light;
+    pen_.smoothing = std::make_shared<const Smoothing>(std::move(smoothing));
   }
 
   void clip(Arguments& in) {
@@ -404,6 +415,7 @@ class Interpreter {
       {"color", &Interpreter::colour},
       {"colour", &Interpreter::colour},
       {"mode", &Interpreter::mode},
+      {"aa", &Interpreter::aa},
       {"clip", &Interpreter::clip},
       {"clippoly", &Interpreter::clippoly},
       {"font", &Interpreter::font},

@@ -20,6 +20,7 @@ using intaglio::Argument;
 using intaglio::Error;
 using intaglio::Status;
 using intaglio::image::BlendTable;
+using intaglio::image::make_blend_row;
 using intaglio::image::make_blend_table;
 
 /// The distance, in sRGB codes, of an entry from the exact mixture of two others.
@@ -77,6 +78,21 @@ TEST(BlendTable, OnGreysIsMonotoneAndHitsTheMixtureItself) {
     EXPECT_TRUE(std::is_sorted(table.row(step), table.row(step) + 256)) << step;
 }
 
+TEST(BlendTable, ByCodesHalfOfWhiteOverBlackIsTheMiddleCode) {
+  std::vector<std::uint8_t> greys;
+  for (int i = 0; i < 256; ++i) greys.insert(greys.end(), 3, static_cast<std::uint8_t>(i));
+  std::vector<std::uint8_t> bytes(BlendTable::bytes(256, 256));
+  for (const int index : {0, 77, 255}) {
+    ASSERT_TRUE(make_blend_table(bytes, greys, index, 256, intaglio::image::BlendSpace::code).ok());
+    const BlendTable table = BlendTable::over(bytes, 256, index, 256).value();
+    int wrong = 0;
+    for (int step = 1; step < 255; ++step)
+      for (int under = 0; under < 256; ++under)
+        wrong += table.row(step)[under] != (2 * ((255 - step) * under + step * index) + 255) / 510 ? 1 : 0;
+    EXPECT_EQ(wrong, 0) << index;
+  }
+}
+
 TEST(BlendTable, OfTwoAsNearTakesTheLower) {
   // Colours 1 and 2 are the same; nothing lies between 0 and them.
   const std::array<std::uint8_t, 9> palette{0, 0, 0, 255, 255, 255, 255, 255, 255};
@@ -93,6 +109,27 @@ TEST(BlendTable, IsMadeAtCompileTimeToo) {
     return made;
   }();
   static_assert(bytes == std::array<std::uint8_t, 4>{2, 1, 1, 2});
+}
+
+TEST(BlendTable, RowsMadeOneByOneAreTheTable) {
+  oracle::Random random(32);
+  std::vector<std::uint8_t> palette(3 * 20);
+  for (auto& byte : palette) byte = static_cast<std::uint8_t>(random.bits());
+  std::vector<std::uint8_t> whole(BlendTable::bytes(20, 9));
+  ASSERT_TRUE(make_blend_table(whole, palette, 3, 9).ok());
+  std::vector<std::uint8_t> rows;
+  std::vector<std::uint8_t> row(20);
+  const auto make = [&](int step, int steps) { return make_blend_row(row, palette, 3, step, steps); };
+  for (int step = 1; step < 8; ++step) {
+    ASSERT_TRUE(make(step, 9).ok());
+    rows.insert(rows.end(), row.begin(), row.end());
+  }
+  EXPECT_EQ(rows, whole);
+  for (const int bad : {0, 8, -1, INT32_MIN, INT32_MAX})
+    EXPECT_EQ(make(bad, 9), (Status{Error::out_of_range, Argument::position}));
+  EXPECT_EQ(make(1, 257), (Status{Error::out_of_range, Argument::steps}));
+  row.resize(19);
+  EXPECT_EQ(make(1, 9), (Status{Error::too_small, Argument::table, 20}));
 }
 
 TEST(BlendTable, BadArgumentsAreNamedAndNothingIsWritten) {

@@ -4,20 +4,22 @@
 //
 // Rule: `steps` levels lead from nothing (step 0) to all (the last). For each step between and each index
 // that may lie under the colour, the table holds the index whose colour is nearest to the mixture of the two.
-// The mixture is one of light (`mix`, ramp.hpp); nearest is by the squared distance of the sRGB codes, each
-// channel counting the same; of two as near, the lower index. Nothing covered leaves what is there, and all
-// covered is the colour's own index: these two steps need no table.
+// The mixture is one of light (`mix`, ramp.hpp), which is what the eye sees of finer pixels, or one of sRGB
+// codes rounded to nearest, which is what most programs do; nearest is by the squared distance of the sRGB
+// codes, each channel counting the same; of two as near, the lower index. Nothing covered leaves what is
+// there, and all covered is the colour's own index: these two steps need no table.
 //
 // The table is made once, at start or on the host, and read with one look a pixel.
 //
-// Error bound: the entry is the nearest to a mixture that is off by at most 0.58 code a channel, so its
-// distance from the exact mixture is at most 2 * sqrt(3) * 0.58 codes above that of the best entry. How near
-// that is depends on the palette. Bit budget: a squared distance has 18 bits. Textbook: section 2.8, on
-// displays with a colour look-up table. Worst known input: palettes without the colours between.
+// Error bound: the entry is the nearest to a mixture that is off by at most 0.58 code a channel (codes: 0.5),
+// so its distance from the exact mixture is at most 2 * sqrt(3) * 0.58 codes above that of the best entry.
+// How near that is depends on the palette. Bit budget: a squared distance has 18 bits. Textbook: section 2.8,
+// on displays with a colour look-up table. Worst known input: palettes without the colours between.
 #pragma once
 
 #include <intaglio/image/palette.hpp>
 #include <intaglio/image/ramp.hpp>
+#include <intaglio/number/division.hpp>
 #include <intaglio/status.hpp>
 
 #include <cstddef>
@@ -70,7 +72,21 @@ class BlendTable {
   int steps_ = 2;
 };
 
+/// In what a colour and what lies under it are mixed.
+enum class BlendSpace : std::uint8_t {
+  light,  ///< Linear light.
+  code,   ///< sRGB codes.
+};
+
 namespace detail {
+/// The colour `part` / `whole` of the way from one to the other, by codes.
+[[nodiscard]] constexpr Rgb mix_codes(Rgb from, Rgb to, int part, int whole) noexcept {
+  const auto channel = [&](int a, int b) {
+    return static_cast<std::uint8_t>(a + number::round_div((b - a) * part, whole));
+  };
+  return {channel(from.r, to.r), channel(from.g, to.g), channel(from.b, to.b)};
+}
+
 /// The entry of a palette (RGBRGB...) whose colour is nearest.
 [[nodiscard]] constexpr std::uint8_t nearest_entry(std::span<const std::uint8_t> palette,
                                                    Rgb colour) noexcept {
@@ -84,32 +100,55 @@ namespace detail {
     if (distance >= least) continue;
     least = distance;
     nearest = static_cast<std::uint8_t>(at / 3);
+    if (distance == 0) break;
   }
   return nearest;
 }
 }  // namespace detail
 
-/// Makes the table of the colour `index` over every entry of a palette (RGBRGB..., as `Palette::bytes()`),
-/// for 2 .. 256 steps, in the first `BlendTable::bytes()` of `table`. Errors: palette (not 2 .. 256 whole
-/// entries: malformed), index (the palette has none such), steps (outside 2 .. 256), table (too small:
-/// `needed()` bytes); nothing is written then. Cost: about 10 instructions for each entry, step and
-/// candidate: 16 colours and 16 steps 40,000, 256 and 16 ten million.
-[[nodiscard]] constexpr Status make_blend_table(std::span<std::uint8_t> table,
-                                                std::span<const std::uint8_t> palette, int index,
-                                                int steps) noexcept {
+/// Makes the row of one step, 0 < step < steps - 1, of the table of the colour `index` over every entry of a
+/// palette (RGBRGB..., as `Palette::bytes()`): the part of `make_blend_table` for those who have no time for
+/// all of it at once. The row has as many bytes as the palette entries. Errors: as there; position (no such
+/// step), table (the row is too small); nothing is written then.
+[[nodiscard]] constexpr Status make_blend_row(std::span<std::uint8_t> row,
+                                              std::span<const std::uint8_t> palette, int index, int step,
+                                              int steps, BlendSpace space = BlendSpace::light) noexcept {
   if (palette.size() % 3 != 0 || palette.size() < 6 || palette.size() > 768)
     return {Error::malformed, Argument::palette};
   const int entries = static_cast<int>(palette.size() / 3);
-  const Result<BlendTable> checked = BlendTable::over(table, entries, index, steps);
-  if (!checked.ok()) return checked.status();
+  if (index < 0 || index >= entries) return {Error::out_of_range, Argument::index};
+  if (steps < 2 || steps > 256) return {Error::out_of_range, Argument::steps};
+  if (step < 1 || step >= steps - 1) return {Error::out_of_range, Argument::position};
+  if (row.size() < palette.size() / 3)
+    return {Error::too_small, Argument::table, static_cast<std::uint32_t>(entries)};
   const auto colour = [&](int entry) {
     const std::size_t at = static_cast<std::size_t>(entry) * 3U;
     return Rgb{palette[at], palette[at + 1], palette[at + 2]};
   };
-  std::size_t at = 0;
+  for (int under = 0; under < entries; ++under)
+    row[static_cast<std::size_t>(under)] = detail::nearest_entry(
+        palette,
+        (space == BlendSpace::code ? detail::mix_codes : mix)(colour(under), colour(index), step, steps - 1));
+  return {};
+}
+
+/// Makes the table of the colour `index` over every entry of a palette, for 2 .. 256 steps, in the first
+/// `BlendTable::bytes()` of `table`. Errors: palette (not 2 .. 256 whole entries: malformed), index (the
+/// palette has none such), steps (outside 2 .. 256), table (too small: `needed()` bytes); nothing is written
+/// then. Cost: about 10 instructions for each entry, step and candidate: 16 colours and 16 steps 40,000, 256
+/// and 16 ten million.
+[[nodiscard]] constexpr Status make_blend_table(std::span<std::uint8_t> table,
+                                                std::span<const std::uint8_t> palette, int index, int steps,
+                                                BlendSpace space = BlendSpace::light) noexcept {
+  if (palette.size() % 3 != 0 || palette.size() < 6 || palette.size() > 768)
+    return {Error::malformed, Argument::palette};
+  const std::size_t entries = palette.size() / 3;
+  const Result<BlendTable> checked = BlendTable::over(table, static_cast<int>(entries), index, steps);
+  if (!checked.ok()) return checked.status();
   for (int step = 1; step < steps - 1; ++step)
-    for (int under = 0; under < entries; ++under)
-      table[at++] = detail::nearest_entry(palette, mix(colour(under), colour(index), step, steps - 1));
+    make_blend_row(table.subspan(static_cast<std::size_t>(step - 1) * entries), palette, index, step, steps,
+                   space)
+        .ignore();
   return {};
 }
 

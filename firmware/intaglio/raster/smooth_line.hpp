@@ -26,8 +26,8 @@ namespace intaglio::raster {
 
 /// Hands the coverage of the line from `a` to `b` over, ends and width in 1/256 pixel. A width of 0 covers
 /// nothing. `workspace` needs a cell for each column of the sink's clip, or of the visible part of the line.
-/// Errors: as `draw_thick_line`; workspace (too small: `needed()` cells). Cost: a square root and two
-/// divisions, then `fill_coverage` of four edges.
+/// Errors: as `draw_thick_line`, but for round caps, which have no corners (out_of_range rule); workspace
+/// (too small: `needed()` cells). Cost: a square root and two divisions, then `fill_coverage` of four edges.
 template <CoverageSink S>
 Status draw_smooth_line(S&& sink, linear::SubPoint a, linear::SubPoint b, int width, Cap cap,
                         const std::span<CoverageCell>& workspace) {

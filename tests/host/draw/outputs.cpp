@@ -95,6 +95,7 @@ TEST_F(DrawTool, HelpNamesEveryCommand) {
                            "palette ",
                            "color ",
                            "mode set|xor",
+                           "aa off",
                            "clip ",
                            "font ",
                            "pixel ",

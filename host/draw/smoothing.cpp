@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: MIT
+#include <host/draw/smoothing.hpp>
+#include <host/failure.hpp>
+#include <intaglio/raster/adaptive.hpp>
+#include <intaglio/raster/arc.hpp>
+#include <intaglio/raster/chord.hpp>
+#include <intaglio/raster/ellipse.hpp>
+#include <intaglio/raster/ellipse_arc.hpp>
+#include <intaglio/raster/enlargement.hpp>
+#include <intaglio/raster/inside.hpp>
+#include <intaglio/raster/oval.hpp>
+#include <intaglio/raster/pitteway.hpp>
+#include <intaglio/raster/polyline.hpp>
+#include <intaglio/raster/round_rect.hpp>
+#include <intaglio/raster/smooth_line.hpp>
+#include <intaglio/raster/stochastic.hpp>
+#include <intaglio/raster/thick_line.hpp>
+#include <intaglio/raster/triangle.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace host::draw {
+namespace {
+
+namespace raster = intaglio::raster;
+using intaglio::Status;
+using linear::Point;
+using linear::Rect;
+using linear::SubPoint;
+using raster::Enlargement;
+
+/// All ways by name.
+std::vector<Smoothing> ways() {
+  using Way = Smoothing::Way;
+  std::vector<Smoothing> all{{Way::area, "area"}, {Way::pitteway, "pitteway"}};
+  for (const auto& rung : raster::supersampling_rungs) {
+    const auto& grid = rung.grid;
+    const bool box = grid.filter == raster::SampleFilter::box;
+    all.push_back(
+        {Way::samples,
+         box ? fmt::format("box{}", grid.scale) : fmt::format("bartlett{}x{}", grid.scale, grid.width),
+         grid});
+  }
+  for (int scale = 2; scale <= Enlargement::limit; ++scale) {
+    const raster::Supersampling grid{scale, scale, raster::SampleFilter::box};
+    all.push_back({Way::adaptive, fmt::format("adaptive{}", scale), grid});
+    all.push_back({Way::stochastic, fmt::format("stochastic{}", scale), grid});
+  }
+  all.push_back({Way::masks, "abuffer4x4", {}, raster::MaskGrid::four_by_four});
+  all.push_back({Way::masks, "abuffer4x8", {}, raster::MaskGrid::four_by_eight});
+  return all;
+}
+
+constexpr auto short_names = std::to_array<std::pair<std::string_view, std::string_view>>({
+    {"box", "box4"},
+    {"bartlett3", "bartlett3x3"},
+    {"bartlett5", "bartlett3x5"},
+    {"bartlett7", "bartlett3x7"},
+    {"adaptive", "adaptive4"},
+    {"stochastic", "stochastic4"},
+    {"abuffer", "abuffer4x4"},
+});
+
+/// The polygon that a primitive is, if it is one; `status` is what is wrong with it.
+struct AsPolygon {
+  Status& status;
+
+  std::optional<Polygon> operator()(const Line& l) const {
+    return quadrilateral(l.from, l.to, linear::subpixel_one, raster::Cap::butt);
+  }
+  std::optional<Polygon> operator()(const ThickLine& l) const {
+    if (l.cap == raster::Cap::round) return std::nullopt;
+    return quadrilateral(l.from, l.to, l.width, l.cap);
+  }
+  std::optional<Polygon> operator()(const Triangle& t) const {
+    return Polygon{raster::FillRule::non_zero, {t.a, t.b, t.c}, {3}, {}};
+  }
+  std::optional<Polygon> operator()(const Polygon& p) const { return p; }
+  template <class Other>
+  std::optional<Polygon> operator()(const Other& /*other*/) const {
+    return std::nullopt;
+  }
+
+ private:
+  [[nodiscard]] Polygon quadrilateral(SubPoint from, SubPoint to, int width, raster::Cap cap) const {
+    std::array<SubPoint, 4> corners{};
+    status = raster::detail::thick_line_corners(from, to, width, cap, corners);
+    return {raster::FillRule::non_zero, {corners.begin(), corners.end()}, {4}, {}};
+  }
+};
+
+std::vector<SubPoint> enlarged(std::vector<SubPoint> places, const Enlargement& by) {
+  for (SubPoint& place : places) place = by.place(place);
+  return places;
+}
+
+/// Draws a primitive enlarged by the same factor along both axes.
+struct EnlargedDrawer {
+  raster::SampleSink& sink;
+  const Enlargement& by;
+  std::string_view name;
+
+  Status operator()(const Line& l) const {
+    return raster::draw_thick_line(sink, by.place(l.from), by.place(l.to), by.width(linear::subpixel_one));
+  }
+  Status operator()(const ThickLine& l) const {
+    return raster::draw_thick_line(sink, by.place(l.from), by.place(l.to), by.width(l.width), l.cap);
+  }
+  Status operator()(const Polyline& p) const {
+    raster::Stroke stroke = p.stroke;
+    stroke.width = by.width(stroke.width);
+    const std::vector<SubPoint> points = enlarged(p.points, by);
+    const auto needed = raster::polyline_workspace(points, stroke, sink.clip());
+    if (!needed.ok()) return needed.status();
+    std::vector<raster::StrokeEdge> workspace(needed.value());
+    return raster::draw_polyline(sink, points, stroke, workspace);
+  }
+  Status operator()(const Circle& c) const {
+    const Status status = raster::detail::check_ellipse(c.centre, c.radius, c.radius);
+    return status.ok() ? round(square_around(c.centre, c.radius), c.filled ? -1 : c.radius - 1, c.centre)
+                       : status;
+  }
+  Status operator()(const DiametricCircle& c) const {
+    const Status status = raster::detail::check_diameter(c.top_left, c.diameter);
+    if (!status.ok() || c.diameter == 0) return status;
+    const Rect outer{c.top_left.x, c.top_left.y, c.diameter, c.diameter};
+    const Rect inner{outer.x + 1, outer.y + 1, c.diameter - 2, c.diameter - 2};
+    return between(outer, c.filled ? Rect{} : inner);
+  }
+  Status operator()(const Ring& r) const {
+    const Status status = raster::detail::check_ellipse(r.centre, r.inner_radius, r.outer_radius);
+    if (!status.ok()) return status;
+    if (r.inner_radius > r.outer_radius) return {intaglio::Error::mismatched, intaglio::Argument::radius};
+    return round(square_around(r.centre, r.outer_radius), r.inner_radius, r.centre);
+  }
+  Status operator()(const Ellipse& e) const {
+    require_odd();
+    const Point centre = middle(e.centre);
+    const int x_radius = radius(e.x_radius);
+    const int y_radius = radius(e.y_radius);
+    if (e.filled || e.x_radius < 1 || e.y_radius < 1)
+      return raster::fill_ellipse(sink, centre, x_radius, y_radius);
+    const Status status = raster::detail::check_ellipse(centre, x_radius, y_radius);
+    if (!status.ok()) return status;
+    raster::detail::fill_rows_around(
+        sink, raster::detail::Oval::around(centre, x_radius, y_radius),
+        raster::detail::Oval::around(centre, radius(e.x_radius - 1), radius(e.y_radius - 1)));
+    return {};
+  }
+  Status operator()(const Arc& a) const {
+    require_odd();
+    const Point centre = middle(a.centre);
+    if (a.shape == SweptShape::pie) return raster::fill_pie(sink, centre, radius(a.radius), a.start, a.sweep);
+    if (a.shape == SweptShape::chord)
+      return raster::fill_chord(sink, centre, radius(a.radius), a.start, a.sweep);
+    fail();
+  }
+  Status operator()(const EllipseArc& a) const {
+    require_odd();
+    const Point centre = middle(a.centre);
+    const int x_radius = radius(a.x_radius);
+    const int y_radius = radius(a.y_radius);
+    if (a.shape == SweptShape::pie)
+      return raster::fill_ellipse_pie(sink, centre, x_radius, y_radius, a.start, a.sweep);
+    if (a.shape == SweptShape::chord)
+      return raster::fill_ellipse_chord(sink, centre, x_radius, y_radius, a.start, a.sweep);
+    fail();
+  }
+  Status operator()(const RoundRectangle& r) const {
+    if (!r.filled) fail();
+    const auto corner = [&](int pixels) { return pixels == 0 ? 0 : radius(pixels); };
+    return raster::fill_round_rect(sink, by.area(r.area),
+                                   {corner(r.radii.top_left), corner(r.radii.top_right),
+                                    corner(r.radii.bottom_right), corner(r.radii.bottom_left)});
+  }
+  Status operator()(const Triangle& t) const {
+    return raster::fill_triangle(sink, by.place(t.a), by.place(t.b), by.place(t.c));
+  }
+  Status operator()(const Polygon& p) const {
+    const std::vector<SubPoint> vertices = enlarged(p.vertices, by);
+    std::vector<raster::PolygonEdge> workspace(vertices.size());
+    return raster::fill_polygon(sink, p.rule, vertices, p.contour_lengths, workspace);
+  }
+  Status operator()(const Combination& c) const {
+    return fill_combination(sink, Combination{c.rule, enlarged(c.a, by), enlarged(c.b, by)});
+  }
+  template <class Other>
+  Status operator()(const Other& /*other*/) const {
+    fail();
+  }
+
+ private:
+  [[noreturn]] void fail() const { throw Failure(fmt::format("aa {} doesn't draw this", name)); }
+  void require_odd() const {
+    if (by.across() % 2 == 0)
+      throw Failure(fmt::format("aa {} doesn't draw this; box3, box5 and box7 do", name));
+  }
+  static Rect square_around(Point centre, int pixels) {
+    return {centre.x - pixels, centre.y - pixels, 2 * pixels + 1, 2 * pixels + 1};
+  }
+  /// The disc in a square without the one of a radius around the middle; none if the radius is negative.
+  [[nodiscard]] Status round(const Rect& outer, int inner_radius, Point centre) const {
+    return between(outer, inner_radius < 0 ? Rect{} : square_around(centre, inner_radius));
+  }
+  /// The disc in a square without that in another around the same middle, if that isn't empty.
+  [[nodiscard]] Status between(const Rect& outer, const Rect& inner) const {
+    const Rect large = by.area(outer);
+    const Rect small = by.area(inner);
+    const Status status = raster::detail::check_diameter({large.x, large.y}, large.width);
+    if (!status.ok()) return status;
+    if (inner.empty()) return raster::fill_disc_in(sink, {large.x, large.y}, large.width);
+    raster::detail::fill_rows_around(sink, raster::detail::Oval({large.x, large.y}, large.width, large.width),
+                                     raster::detail::Oval({small.x, small.y}, small.width, small.width));
+    return {};
+  }
+  /// The pixel in the middle of a pixel, for odd factors; outside the domain if it is.
+  [[nodiscard]] Point middle(Point p) const {
+    const Rect square = by.area({p.x, p.y, 1, 1});
+    return {square.x + by.across() / 2, square.y + by.across() / 2};
+  }
+  /// The radius of what is 2 * pixels + 1 wide, enlarged; negative ones stay so.
+  [[nodiscard]] int radius(int pixels) const {
+    constexpr int far = linear::coordinate_limit + 1;
+    const int within = std::clamp(pixels, -1, far);
+    return within < 0 ? -1 : (by.across() * (2 * within + 1) - 1) / 2;
+  }
+};
+
+Status draw_samples(const AnyCoverage& sink, const Smoothing& smoothing, const Primitive& primitive) {
+  const Enlargement by(smoothing.grid.scale);
+  constexpr int most_cells = 1 << 20;
+  const Rect clip = sink.clip();
+  const int rows = std::clamp(most_cells / std::max(clip.width, 1), 1, std::max(clip.height, 1));
+  std::vector<raster::SampleCell> workspace(static_cast<std::size_t>(clip.width) *
+                                            static_cast<std::size_t>(rows));
+  return raster::supersample(sink, smoothing.grid, workspace, [&](raster::SampleSink& samples) {
+    return std::visit(EnlargedDrawer{samples, by, smoothing.name}, primitive);
+  });
+}
+
+Status draw_polygon(const AnyCoverage& sink, const Smoothing& smoothing, const Polygon& p) {
+  using Way = Smoothing::Way;
+  switch (smoothing.way) {
+    case Way::area: {
+      std::vector<raster::CoverageCell> workspace(static_cast<std::size_t>(sink.clip().width));
+      return raster::fill_coverage(sink, p.rule, p.vertices, p.contour_lengths, workspace);
+    }
+    case Way::pitteway:
+      if (p.contour_lengths.size() != 1) throw Failure("aa pitteway draws convex polygons only");
+      return raster::fill_convex_pitteway(sink, p.vertices);
+    case Way::masks: {
+      const Enlargement by(4, static_cast<int>(smoothing.masks));
+      const std::vector<SubPoint> vertices = enlarged(p.vertices, by);
+      std::vector<raster::PolygonEdge> edges(vertices.size());
+      std::vector<raster::MaskCell> workspace(static_cast<std::size_t>(sink.clip().width));
+      return raster::cover_by_masks(raster::OneLayer<const AnyCoverage&>(sink), smoothing.masks, 1, workspace,
+                                    [&](int /*layer*/, raster::MaskSink& parts) {
+                                      return raster::fill_polygon(parts, p.rule, vertices, p.contour_lengths,
+                                                                  edges);
+                                    });
+    }
+    default: {
+      const int scale = smoothing.grid.scale;
+      const std::vector<SubPoint> vertices = enlarged(p.vertices, Enlargement(scale));
+      const auto asked = [&](SubPoint place) {
+        return raster::inside_polygon(p.rule, vertices, p.contour_lengths, place);
+      };
+      const Status status = asked({}).status();
+      if (!status.ok()) return status;
+      const auto inside = [&](SubPoint place) { return asked(place).value(); };
+      return smoothing.way == Way::adaptive
+                 ? raster::cover_adaptively(sink, sink.clip(), scale, inside)
+                 : raster::cover_stochastically(sink, sink.clip(), scale, 0, inside);
+    }
+  }
+}
+
+}  // namespace
+
+Smoothing parse_smoothing(std::string_view name) {
+  const std::vector<Smoothing> all = ways();
+  for (const auto& [alias, meaning] : short_names)
+    if (name == alias) name = meaning;
+  for (const Smoothing& way : all)
+    if (way.name == name) return way;
+  std::string names;
+  for (const Smoothing& way : all) names += " " + way.name;
+  throw Failure(fmt::format("no method '{}'; there are off{}", name, names));
+}
+
+bool has_edges(const Primitive& primitive) {
+  return !std::holds_alternative<Pixel>(primitive) && !std::holds_alternative<Rectangle>(primitive) &&
+         !std::holds_alternative<Coverage>(primitive) && !std::holds_alternative<FloodFill>(primitive) &&
+         !std::holds_alternative<Text>(primitive) && !std::holds_alternative<Sprite>(primitive);
+}
+
+Status draw_smooth(const AnyCoverage& sink, const Smoothing& smoothing, const Primitive& primitive) {
+  if (smoothing.way == Smoothing::Way::samples) return draw_samples(sink, smoothing, primitive);
+  Status status;
+  const auto polygon = std::visit(AsPolygon{status}, primitive);
+  if (!status.ok()) return status;
+  if (!polygon) throw Failure(fmt::format("aa {} draws lines, triangles and polygons only", smoothing.name));
+  return draw_polygon(sink, smoothing, *polygon);
+}
+
+}  // namespace host::draw

@@ -248,7 +248,8 @@ Status draw_polygon(const AnyCoverage& sink, const Smoothing& smoothing, const P
   using Way = Smoothing::Way;
   switch (smoothing.way) {
     case Way::area: {
-      std::vector<raster::CoverageCell> workspace(static_cast<std::size_t>(sink.clip().width));
+      std::vector<raster::CoverageCell> workspace(
+          raster::coverage_cells(p.vertices.size(), sink.clip().width));
       return raster::fill_coverage(sink, p.rule, p.vertices, p.contour_lengths, workspace);
     }
     case Way::pitteway:

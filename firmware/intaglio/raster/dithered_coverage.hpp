@@ -9,12 +9,12 @@
 // to 64*c/255 is, spread as evenly as can be.
 //
 // What is promised where two polygons share an edge: drawn one with the normal, the other with the reversed
-// pattern, each pixel that only the two of them share is drawn by exactly one: no hole, none twice. For if
-// the levels add up to 255, c > 4k + 1 fails exactly where 255 - c > 253 - 4k holds; and the levels of
-// `fill_coverage` do, but for 128 with 128, to which no threshold is equal. (Two areas that add up to a pixel
-// round to 255 in all unless both end in 1/2 level; with 255 odd and areas in powers of 1/2 that is one half
-// each.) Where three or more polygons meet in a pixel, or both use one pattern, nothing is promised: draw the
-// colour below all of them first.
+// pattern, each pixel that only the two of them share is drawn: there is no hole. For if the levels add up to
+// 255, c > 4k + 1 fails exactly where 255 - c > 253 - 4k holds, and then none is drawn twice, either. The
+// levels of `fill_coverage` add up to 255 or, where both are rounded up, 256: 128 and 128, to which no
+// threshold is equal, or (for areas within 2^-24 of one that ends in half a level) others, of which every
+// fourth pair draws its pixel of the tile twice. Where three or more polygons meet in a pixel, or both use
+// one pattern, nothing is promised: draw the colour below all of them first.
 //
 // It hands spans on to any span sink, so it dithers for every format, and for exclusive-or as well.
 // Bit budget: levels have 8 bits. Error: at most 1/2 pixel of an aligned 8x8 tile.

@@ -25,7 +25,7 @@
 namespace intaglio::raster {
 
 /// Hands the coverage of the line from `a` to `b` over, ends and width in 1/256 pixel. A width of 0 covers
-/// nothing. `workspace` needs a cell for each column of the sink's clip, or of the visible part of the line.
+/// nothing. `workspace` is that of `fill_coverage` for four edges: `coverage_cells(4, width of the clip)`.
 /// Errors: as `draw_thick_line`, but for round caps, which have no corners (out_of_range rule); workspace
 /// (too small: `needed()` cells). Cost: a square root and two divisions, then `fill_coverage` of four edges.
 template <CoverageSink S>

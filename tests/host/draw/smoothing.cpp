@@ -164,9 +164,9 @@ TEST(DrawSmooth, OneBitIsDitheredAndExclusiveOrTwiceRestores) {
 TEST(DrawSmooth, ClipsCutAndNothingElseChanges) {
   const std::string shape = "\ntriangle 1 2 38 9 7 28";
   for (const char* name : {"area", "pitteway", "box4", "bartlett7", "adaptive", "stochastic", "abuffer"}) {
-    const std::string aa = std::string("aa ") + name;
+    std::string aa = std::string("\naa ") + name;
     const auto whole = draw(aa + shape)->indices();
-    const auto cut = draw("clip 5 6 20 9\nclippoly 0 0 39 0 0 29\n" + aa + shape)->indices();
+    const auto cut = draw("clip 5 6 20 9\nclippoly 0 0 39 0 0 29" + aa.append(shape))->indices();
     const auto window = draw("clip 5 6 20 9\nclippoly 0 0 39 0 0 29\nfillrect 0 0 40 30")->indices();
     for (std::size_t i = 0; i < whole.size(); ++i)
       ASSERT_EQ(cut[i], window[i] != 0 ? whole[i] : 0) << name << " " << i;

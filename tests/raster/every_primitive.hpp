@@ -23,6 +23,7 @@
 #include <intaglio/raster/ring.hpp>
 #include <intaglio/raster/round_rect.hpp>
 #include <intaglio/raster/thick_line.hpp>
+#include <intaglio/raster/thick_line_rungs.hpp>
 #include <intaglio/raster/triangle.hpp>
 #include <intaglio/raster/triangle_box.hpp>
 #include <tests/oracle/random.hpp>
@@ -128,6 +129,18 @@ const auto& every_primitive() {
       NamedPrimitive<S>{"thick line, round",
                         [](S& s, const Figure& f) {
                           return draw_thick_line(s, f.places[0], f.places[1], f.width * 200, Cap::round);
+                        }},
+      NamedPrimitive<S>{"line, rounded slope",
+                        [](S& s, const Figure& f) {
+                          return draw_line_by<RoundedLine>(s, f.points[0], f.points[1]);
+                        }},
+      NamedPrimitive<S>{"line, split error",
+                        [](S& s, const Figure& f) {
+                          return draw_line_by<SplitErrorLine>(s, f.points[0], f.points[1]);
+                        }},
+      NamedPrimitive<S>{"line thick along its minor axis",
+                        [](S& s, const Figure& f) {
+                          return draw_minor_thick_line(s, f.places[0], f.places[1], f.width);
                         }},
       NamedPrimitive<S>{"polyline",
                         [](S& s, const Figure& f) {

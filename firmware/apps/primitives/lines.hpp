@@ -6,10 +6,12 @@
 #include <intaglio/clip/line_window.hpp>
 #include <intaglio/raster/dash.hpp>
 #include <intaglio/raster/line.hpp>
+#include <intaglio/raster/line_rungs.hpp>
 #include <intaglio/raster/pixel.hpp>
 #include <intaglio/raster/polyline.hpp>
 #include <intaglio/raster/rectangle.hpp>
 #include <intaglio/raster/thick_line.hpp>
+#include <intaglio/raster/thick_line_rungs.hpp>
 
 #include <firmware/apps/primitives/field.hpp>
 
@@ -51,6 +53,19 @@ void draw_sub_pixel_lines(const Field<F>& field) {
                          field.place(60 + 10 * i, 40 * i + 3)));
 }
 
+/// The book's other lines.
+template <image::PixelFormat F>
+void draw_line_rungs(const Field<F>& field) {
+  for (int i = 0; i < 9; ++i) {
+    const SubPoint end = around({}, 50'000, field.turn + Angle::from_degrees(40 * i));
+    const auto pen = field.pen(static_cast<unsigned>(5 + i));
+    const Point far{field.middle().x + end.x / 4, field.middle().y + end.y / 4};
+    field.keep(i % 3 == 0   ? raster::draw_line_by<raster::RoundedLine>(pen, field.middle(), far)
+               : i % 3 == 1 ? raster::draw_line_by<raster::SplitErrorLine>(pen, field.middle(), far)
+                            : raster::draw_line_by<raster::DistanceLine>(pen, field.middle(), far));
+  }
+}
+
 template <image::PixelFormat F>
 void draw_dashes(const Field<F>& field) {
   for (int i = 0; i < 6; ++i) {
@@ -68,6 +83,8 @@ void draw_thick_lines(const Field<F>& field) {
     field.keep(draw_thick_line(field.pen(static_cast<unsigned>(6 + 4 * i)), field.place(75, 120 * i),
                                field.place(20, 120 * i + 30), width, caps[i]));
   field.keep(draw_thick_line(field.pen(2), field.middle(), Point{field.middle().x + 900'000, -700'000}, 2));
+  field.keep(
+      draw_minor_thick_line(field.pen(14), field.place(95, 60), field.place(80, 190), field.unit() / 4));
 }
 
 template <image::PixelFormat F>

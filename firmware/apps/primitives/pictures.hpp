@@ -6,6 +6,7 @@
 #include <intaglio/image/blit.hpp>
 #include <intaglio/image/rotozoom.hpp>
 #include <intaglio/image/scale.hpp>
+#include <intaglio/image/three_shear.hpp>
 #include <intaglio/raster/circle.hpp>
 #include <intaglio/raster/line.hpp>
 
@@ -62,6 +63,20 @@ void draw_turned(const Field<F>& field) {
       .angle = field.turn,
       .scale = number::Fixed<16>::from_raw(field.unit() * 65536 / (Sprite<F>::side / 2))};
   field.keep(blit_rotozoom(field.target, placement, sprite.picture(), image::ColourKey{0}, field.area));
+}
+
+/// Turned without losing a pixel, and once more through the picture as a mask.
+template <image::PixelFormat F>
+void draw_sheared(const Field<F>& field) {
+  const Sprite<F> sprite;
+  const Point m = field.middle();
+  constexpr int middle = 128 * (Sprite<F>::side - 1);
+  const image::ThreeShear placement{
+      .position = {m.x * 256, m.y * 256}, .pivot = {middle, middle}, .angle = field.turn};
+  field.keep(blit_three_shear(field.target, placement, sprite.picture(), image::ColourKey{0}, field.area));
+  const SubPoint p = field.place(90, 0);
+  field.keep(blit(field.target, {p.x / 256 - 5, p.y / 256 - 5}, sprite.picture(),
+                  image::Masked<F>{sprite.picture()}, field.area));
 }
 
 }  // namespace apps::primitives

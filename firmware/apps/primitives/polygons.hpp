@@ -6,6 +6,7 @@
 #include <intaglio/clip/boolean.hpp>
 #include <intaglio/clip/clip_stack.hpp>
 #include <intaglio/clip/convex.hpp>
+#include <intaglio/clip/greiner_hormann.hpp>
 #include <intaglio/image/blit.hpp>
 #include <intaglio/image/clear.hpp>
 #include <intaglio/raster/circle.hpp>
@@ -76,9 +77,10 @@ void draw_convex_polygons(const Field<F>& field) {
   if (part.ok()) field.keep(fill_convex(field.pen(14), part.value()));
 }
 
-/// A star and a square combined by one of four rules after the other.
-template <image::PixelFormat F>
-void draw_combination(const Field<F>& field) {
+/// A star and a square combined by one of four rules after the other; `combine(rule, a, b, vertices,
+/// lengths)`.
+template <image::PixelFormat F, class Combine>
+void draw_combined(const Field<F>& field, Combine combine) {
   // Their own coordinates, the field's corner being (0, 0): operands have a domain of their own.
   const SubPoint corner{field.area.x * linear::subpixel_one, field.area.y * linear::subpixel_one};
   auto star = field.template ring<5>(95, 144);
@@ -89,9 +91,9 @@ void draw_combination(const Field<F>& field) {
   constexpr int four[] = {4};
   std::array<intaglio::clip::BooleanVertex, 40> vertices;
   std::array<int, 12> lengths;
-  std::array<intaglio::clip::BooleanPiece, 64> pieces;
   const auto rule = static_cast<intaglio::clip::BooleanRule>(field.turn.steps() / (Angle::turn / 4) % 4);
-  const auto result = intaglio::clip::combine(rule, {star, five}, {square, four}, vertices, lengths, pieces);
+  const auto result = combine(rule, intaglio::clip::BooleanOperand{star, five},
+                              intaglio::clip::BooleanOperand{square, four}, vertices, lengths);
   field.keep(result.status());
   if (!result.ok()) return;
   std::array<SubPoint, 40> places;
@@ -103,6 +105,25 @@ void draw_combination(const Field<F>& field) {
   field.keep(fill_polygon(field.pen(11), raster::FillRule::even_odd,
                           std::span(places).first(result.value().vertices),
                           std::span<const int>(lengths).first(result.value().contours), workspace));
+}
+
+template <image::PixelFormat F>
+void draw_combination(const Field<F>& field) {
+  draw_combined(field, [](auto rule, const auto& a, const auto& b, auto& vertices, auto& lengths) {
+    std::array<intaglio::clip::BooleanPiece, 64> pieces;
+    return intaglio::clip::combine(rule, a, b, vertices, lengths, pieces);
+  });
+}
+
+/// The same by a walk along both; the two touch nowhere but where they cross.
+template <image::PixelFormat F>
+void draw_walked_combination(const Field<F>& field) {
+  draw_combined(field, [](auto rule, const auto& a, const auto& b, auto& vertices, auto& lengths) {
+    std::array<intaglio::clip::RingNode, 64> nodes;
+    auto result = intaglio::clip::combine_greiner_hormann(rule, a, b, vertices, lengths, nodes);
+    if (result.status().error() == intaglio::Error::unsupported) result = intaglio::clip::BooleanResult{};
+    return result;
+  });
 }
 
 /// Circles and lines through a hexagon in a window.

@@ -16,6 +16,7 @@
 #include <cstdint>
 #include <firmware/apps/primitives/curves.hpp>
 #include <firmware/apps/primitives/field.hpp>
+#include <firmware/apps/primitives/layers.hpp>
 #include <firmware/apps/primitives/lines.hpp>
 #include <firmware/apps/primitives/pictures.hpp>
 #include <firmware/apps/primitives/polygons.hpp>
@@ -73,10 +74,11 @@ class Primitives {
   using Draw = void (*)(const Field<F>&);
   static constexpr unsigned indices = F::max_index + 1U;
   static constexpr int blend_steps = 4;
-  static constexpr std::array<Draw, 32> fields{draw_points<F>,
+  static constexpr std::array<Draw, 39> fields{draw_points<F>,
                                                draw_rectangles<F>,
                                                draw_long_lines<F>,
                                                draw_sub_pixel_lines<F>,
+                                               draw_line_rungs<F>,
                                                draw_dashes<F>,
                                                draw_thick_lines<F>,
                                                draw_polylines<F>,
@@ -95,16 +97,22 @@ class Primitives {
                                                draw_polygons<F>,
                                                draw_convex_polygons<F>,
                                                draw_combination<F>,
+                                               draw_walked_combination<F>,
                                                draw_clipped<F>,
                                                draw_floods<F>,
                                                draw_smooth_star<F>,
                                                draw_smooth_lines<F>,
                                                draw_pitteway_polygon<F>,
                                                draw_dithered<F>,
+                                               draw_supersampled<F>,
+                                               draw_sampled<F>,
+                                               draw_visible_areas<F>,
+                                               draw_mask_layers<F>,
                                                draw_floor<F>,
                                                draw_sprites<F>,
                                                draw_scaled<F>,
-                                               draw_turned<F>};
+                                               draw_turned<F>,
+                                               draw_sheared<F>};
 
   /// As many columns as make the fields about square.
   [[nodiscard]] int columns_for(int count) const {

@@ -17,11 +17,13 @@
 
 #include <intaglio/linear/point.hpp>
 #include <intaglio/linear/rect.hpp>
+#include <intaglio/raster/cursor.hpp>
 #include <intaglio/raster/disc_scan.hpp>
 #include <intaglio/raster/octant.hpp>
 #include <intaglio/raster/sink.hpp>
 #include <intaglio/status.hpp>
 
+#include <algorithm>
 #include <type_traits>
 
 namespace intaglio::raster {
@@ -67,19 +69,30 @@ template <SpanSink S>
 Status draw_circle(S&& sink, linear::Point centre, int radius) {
   const Status status = detail::check_circle(centre, radius);
   if (!status.ok()) return status;
-  const linear::Rect& clip = sink.clip();
+  const linear::Rect clip = sink.clip();
   if constexpr (CursorSink<std::remove_reference_t<S>>) {
     if (radius > 0 && detail::wholly_visible(centre, radius, clip)) {
       detail::walk_circle(sink, centre, radius);
       return {};
     }
   }
+  const int clip_right = clip.right();
+  const int middle = centre.x - clip.x;
+  const auto pixel = [&](int column, int y) {
+    if (static_cast<unsigned>(column) < static_cast<unsigned>(clip.width))
+      cursor_at(sink, clip.x + column, y).put();
+  };
   const auto run = [&](int y, int begin, int end) {
-    begin = begin > clip.x ? begin : clip.x;
-    end = end < clip.right() ? end : clip.right();
+    begin = std::max(begin, clip.x);
+    end = std::min(end, clip_right);
     if (begin < end) sink.span(y, begin, end);
   };
   detail::scan_disc(centre, radius, clip, detail::Part::outline, [&](int y, const detail::DiscRow& row) {
+    if (row.inner == row.outer && row.inner != 0) {
+      pixel(middle - row.outer, y);
+      pixel(middle + row.outer, y);
+      return;
+    }
     // On the axis both runs are one.
     const int right_begin = centre.x + row.inner;
     const int left_end = row.inner == 0 ? right_begin : centre.x - row.inner + 1;

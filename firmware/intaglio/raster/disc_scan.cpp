@@ -27,7 +27,7 @@ DiscScan::DiscScan(linear::Point centre, int radius, const linear::Rect& clip, P
     : radius_(radius) {
   const int above = centre.y - clip.y;
   const int below = clip.height - 1 - above;
-  first_ = nearest(above, below);
+  filled_ = first_ = nearest(above, below);
   if (clip.empty()) return;
   // A disc is symmetric about its diagonals: the rows that reach a column are the reach of that column.
   const int left = centre.x - clip.x;
@@ -35,15 +35,15 @@ DiscScan::DiscScan(linear::Point centre, int radius, const linear::Rect& clip, P
   last_ = half_chord(radius, nearest(left, right));
   const int furthest_row = above > below ? above : below;
   if (last_ > furthest_row) last_ = furthest_row;
-  full_ = half_chord(radius, (left > right ? left : right) + 1) + 1;
-  if (part == Part::outline) {
-    // What is two rows inside these is wholly hidden beyond the window's sides.
-    first_ = std::max(first_, full_ - 1);
-    full_ = 0;
-    inner_ = half_chord(radius, last_ + 1) + 1;
+  const int full = half_chord(radius, (left > right ? left : right) + 1) + 1;
+  // What of an outline is two rows inside these is wholly hidden beyond the window's sides.
+  const bool outline = part == Part::outline;
+  first_ = std::max(first_, outline ? full - 1 : std::min(full, last_ + 1));
+  if (outline) filled_ = first_;
+  if (first_ <= last_ && last_ >= radius / 2) {
+    if (outline) inner_ = half_chord(radius, last_ + 1) + 1;
+    walk_ = Octant(radius, half_chord(radius, last_));
   }
-  full_ = std::min(full_, last_ + 1);
-  if (first_ <= last_) walk_ = Octant(radius, half_chord(radius, last_));
 }
 
 }  // namespace intaglio::raster::detail

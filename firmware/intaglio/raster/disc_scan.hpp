@@ -49,19 +49,15 @@ class DiscScan {
 
  private:
   int radius_;
-  int first_;      // nearest row
+  int filled_;     // rows filled_ .. first_ - 1 fill the window
+  int first_;      // nearest row to walk
   int last_ = -1;  // furthest row
-  int full_ = 0;   // rows first_ .. full_ - 1 fill the window
   int inner_ = 0;
   bool beyond_diagonal_ = true;
   Octant walk_{0, 0, -1};
 };
 
 inline bool DiscScan::next(DiscRow& row) noexcept {
-  if (first_ < full_) {
-    row = {first_++, 0, radius_};
-    return true;
-  }
   if (beyond_diagonal_) {
     // A run of the walk is complete when v falls, or at the diagonal.
     for (int v; v = walk_.v(), v >= walk_.t() && v >= first_ && v <= last_;) {
@@ -73,10 +69,13 @@ inline bool DiscScan::next(DiscRow& row) noexcept {
     beyond_diagonal_ = false;
     walk_ = Octant(radius_, first_);
   }
-  row = {walk_.t(), walk_.v(), walk_.v()};
-  if (walk_.t() >= walk_.v() || walk_.t() > last_) return false;
-  walk_.next();
-  return true;
+  if (walk_.t() < walk_.v() && walk_.t() <= last_) {
+    row = {walk_.t(), walk_.v(), walk_.v()};
+    walk_.next();
+    return true;
+  }
+  row = {filled_, 0, radius_};
+  return filled_++ < first_;
 }
 
 /// Calls draw(y, row) for every row of the scan inside the clip.

@@ -46,12 +46,14 @@ class Edge {
 
   /// Goes to the row below. The result means nothing past the edge's last row.
   constexpr void next() noexcept {
-    x_ += step_;
-    error_ += remainder_;
-    if (error_ >= 0) {
-      error_ -= height_;
-      --x_;
+    int x = x_ + step_;
+    int error = error_ + remainder_;
+    if (error >= 0) {
+      error -= height_;
+      --x;
     }
+    x_ = x;
+    error_ = error;
   }
 
  private:

@@ -20,7 +20,53 @@
 #include <intaglio/raster/sink.hpp>
 #include <intaglio/status.hpp>
 
+#include <algorithm>
+#include <cstdint>
+
 namespace intaglio::raster {
+
+namespace detail {
+
+constexpr bool contains_row(const linear::Rect& clip, int y) noexcept {
+  return static_cast<unsigned>(y - clip.y) < static_cast<unsigned>(clip.height);
+}
+
+/// Fills an oval by pairs of rows, from the visible ones nearest to its middle outwards.
+template <class Int, SpanSink S>
+void fill_row_pairs(S& sink, Oval& oval) {
+  const linear::Rect clip = sink.clip();
+  const int top = oval.top();
+  const int bottom = oval.bottom() - 1;
+  const FromEnds rows(bottom - top, clip.y - top, clip.bottom() - 1 - top);
+  if (clip.empty() || rows.first > rows.last) return;
+  const int left = oval.left();
+  const int right = oval.right();
+  const int clip_right = clip.right();
+  auto walk = oval.walk_from<Int>(rows.last);
+  int upper = top + rows.last;
+  int lower = bottom - rows.last;
+  for (const int end = top + rows.first;; --upper, ++lower) {
+    const int x_begin = std::max(left + walk.inset(), clip.x);
+    const int x_end = std::min(right - walk.inset(), clip_right);
+    if (x_begin < x_end) {
+      if (contains_row(clip, upper)) sink.span(upper, x_begin, x_end);
+      if (upper != lower && contains_row(clip, lower)) sink.span(lower, x_begin, x_end);
+    }
+    if (upper == end) return;
+    walk.outwards();
+    while (!walk.belongs()) walk.narrower();
+  }
+}
+
+template <SpanSink S>
+void fill_oval(S& sink, Oval oval) {
+  if (oval.fits<std::int32_t>())
+    fill_row_pairs<std::int32_t>(sink, oval);
+  else
+    fill_rows(sink, oval);
+}
+
+}  // namespace detail
 
 /// Fills the ellipse around the pixel `centre` (|c| <= 2^20) with half axes of 0..2^20 pixels along x and y;
 /// it is 2*x_radius + 1 wide. Errors: point, radius (outside the domain); nothing is drawn then. Cost: a few
@@ -28,7 +74,7 @@ namespace intaglio::raster {
 template <SpanSink S>
 Status fill_ellipse(S&& sink, linear::Point centre, int x_radius, int y_radius) {
   const Status status = detail::check_ellipse(centre, x_radius, y_radius);
-  if (status.ok()) detail::fill_rows(sink, detail::Oval::around(centre, x_radius, y_radius));
+  if (status.ok()) detail::fill_oval(sink, detail::Oval::around(centre, x_radius, y_radius));
   return status;
 }
 
@@ -46,7 +92,7 @@ Status draw_ellipse(S&& sink, linear::Point centre, int x_radius, int y_radius) 
 template <SpanSink S>
 Status fill_disc_in(S&& sink, linear::Point top_left, int diameter) {
   const Status status = detail::check_diameter(top_left, diameter);
-  if (status.ok() && diameter > 0) detail::fill_rows(sink, detail::Oval(top_left, diameter, diameter));
+  if (status.ok() && diameter > 0) detail::fill_oval(sink, detail::Oval(top_left, diameter, diameter));
   return status;
 }
 

@@ -15,10 +15,16 @@
 #include <intaglio/status.hpp>
 
 #include <concepts>
+#include <type_traits>
 
 namespace intaglio::raster {
 
 namespace detail {
+
+/// Keeps compilers from executing what follows under conditions, pixel for pixel, where a jump skips it.
+[[gnu::always_inline]] constexpr void stay_a_branch() noexcept {
+  if (!std::is_constant_evaluated()) asm volatile("");
+}
 
 /// Walks to the right and, along y, down.
 template <bool steep, class Cursor>
@@ -26,23 +32,22 @@ constexpr void walk(Cursor cursor, const clip::LinePath& path) {
   const int minor_step = path.minor_step;
   const int major_step = path.major_step;
   int error = path.error;
-  int left = path.count;
-  while (true) {
+  for (int steps = path.count - 1; steps != 0; --steps) {
     cursor.put();
-    if (--left == 0) return;
-    error += minor_step;
     if constexpr (steep)
       cursor.down();
     else
       cursor.right();
-    if (error >= 0) {
-      error -= major_step;
-      if constexpr (steep)
-        cursor.right();
-      else
-        cursor.down();
-    }
+    error += minor_step;
+    if (error < 0) continue;
+    stay_a_branch();
+    error -= major_step;
+    if constexpr (steep)
+      cursor.right();
+    else
+      cursor.down();
   }
+  cursor.put();
 }
 
 /// Walks the path with a cursor on its start.

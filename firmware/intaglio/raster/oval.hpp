@@ -12,8 +12,9 @@
 // has no dents, transposing the box transposes it, and flat ovals keep their tips. An odd diameter gives the
 // disc of that radius (disc.hpp).
 //
-// How: `reach` gallops from the row before it to the outermost pixel that belongs: no row outside the window
-// is visited, and a row costs the logarithm of its step, at any size.
+// How: on a row next to the one before it the outermost pixel is walked to (oval_walk.hpp). On others, and on
+// ovals too large for that, the search gallops from the row before it: a row costs the logarithm of its step.
+// Neither goes further than the window, nor visits a row outside it.
 //
 // Bit budget: a, b <= 2^21, so a^2 has 42 bits, b^2*X 63; the two sides of the test have 84, and where they
 // might not fit 64 they are compared as two words.
@@ -22,12 +23,23 @@
 #pragma once
 
 #include <intaglio/linear/point.hpp>
+#include <intaglio/raster/oval_walk.hpp>
 #include <intaglio/raster/row_span.hpp>
 #include <intaglio/status.hpp>
 
+#include <algorithm>
 #include <cstdint>
 
 namespace intaglio::raster::detail {
+
+/// Of the places 0 .. length along a line, counted from the nearer end, those first .. last that lie between
+/// `low` and `high` from either end; none if first > last.
+struct FromEnds {
+  int first;
+  int last;
+  constexpr FromEnds(int length, int low, int high) noexcept
+      : first(std::max(0, std::min(low, length - high))), last(std::min({high, length - low, length / 2})) {}
+};
 
 /// One filled oval. Rows may be asked for in any order; neighbours are cheap.
 class Oval {
@@ -45,16 +57,46 @@ class Oval {
   /// Pixels of the box to the left of the oval on the row that is `from_top` below the box's top.
   [[nodiscard]] int inset(int from_top) noexcept;
 
+  /// Where rows end outside these columns doesn't matter from now on.
+  void look_at(int x_begin, int x_end) noexcept {
+    // The pixels beside them decide about outlines.
+    look_at(FromEnds(a_, x_begin - 2 - corner_.x, x_end + 1 - corner_.x));
+  }
+  /// The same for the box's columns counted from its sides.
+  void look_at(const FromEnds& columns) noexcept;
+
+  /// The walk of the rows from the one that is `from_top` below the box's top. Precondition: `fits`.
+  template <class Int>
+  [[nodiscard]] OvalWalk<Int> walk_from(int from_top) noexcept {
+    const int y = b_ - 2 * from_top;
+    row_ = y;
+    search(static_cast<unsigned>(y));
+    return {a_, b_, reach_, y};
+  }
+  template <class Int>
+  [[nodiscard]] bool fits() const noexcept {
+    return OvalWalk<Int>::fits(a_, b_);
+  }
+
+  [[nodiscard]] int left() const noexcept { return corner_.x; }
+  [[nodiscard]] int right() const noexcept { return corner_.x + a_ + 1; }
   [[nodiscard]] int top() const noexcept { return corner_.y; }
   [[nodiscard]] int bottom() const noexcept { return corner_.y + b_ + 1; }
 
  private:
   [[nodiscard]] bool holds(unsigned x, unsigned y) const noexcept;
+  void search(unsigned y) noexcept;
 
   linear::Point corner_;
   int a_;
   int b_;
   int reach_;  // of the last row asked for
+  int least_reach_;
+  int most_reach_;
+  bool small_;          // it can be walked
+  bool walks_ = false;  // the walk stands on (reach_, row_)
+  int row_ = -1;        // the last asked for, from the middle; none if below 0
+  OvalWalk<std::int64_t> walk_;
   std::uint64_t a_squared_;
   std::uint64_t b_squared_;
 };

@@ -51,6 +51,10 @@ class RoundRectShape {
   RoundRectShape(const linear::Rect& r, const CornerRadii& radii) noexcept;
 
   [[nodiscard]] RowSpan row(int y) noexcept;
+  void look_at(int x_begin, int x_end) noexcept {
+    left_.look_at(x_begin - 2 - rect_.x, x_end + 1 - rect_.x);
+    right_.look_at(rect_.right() - x_end - 2, rect_.right() - x_begin + 1);
+  }
   [[nodiscard]] int top() const noexcept { return rect_.y; }
   [[nodiscard]] int bottom() const noexcept { return rect_.bottom(); }
 
@@ -63,6 +67,11 @@ class RoundRectShape {
           lower_radius_(lower_radius),
           upper_(Oval::around({}, upper_radius, upper_radius)),
           lower_(Oval::around({}, lower_radius, lower_radius)) {}
+    /// Only insets from `low` to `high` matter from now on.
+    void look_at(int low, int high) noexcept {
+      upper_.look_at({2 * upper_radius_, low, high});
+      lower_.look_at({2 * lower_radius_, low, high});
+    }
     [[nodiscard]] int inset(int from_top, int from_bottom) noexcept {
       if (from_top < upper_radius_) return upper_.inset(from_top);
       return from_bottom < lower_radius_ ? lower_.inset(from_bottom) : 0;

@@ -19,9 +19,11 @@
 
 namespace intaglio::raster::detail {
 
-/// Has pixels on the rows top() .. bottom()-1 and an empty span elsewhere.
+/// Has pixels on the rows top() .. bottom()-1 and an empty span elsewhere. After look_at(x_begin, x_end) rows
+/// may end anywhere outside these columns and the two beside them, if they end outside.
 template <class S>
 concept RowShape = requires(S& s, int y) {
+  s.look_at(y, y);
   { s.row(y) } -> std::same_as<RowSpan>;
   { s.top() } -> std::convertible_to<int>;
   { s.bottom() } -> std::convertible_to<int>;
@@ -52,6 +54,7 @@ template <SpanSink S, RowShape Shape>
 void fill_rows(S& sink, Shape shape) {
   const linear::Rect& clip = sink.clip();
   if (clip.empty()) return;
+  shape.look_at(clip.x, clip.right());
   const int end = std::min(shape.bottom(), clip.bottom());
   for (int y = std::max(shape.top(), clip.y); y < end; ++y) {
     const RowSpan row = shape.row(y);
@@ -64,6 +67,8 @@ template <SpanSink S, RowShape Shape, RowShape Hole>
 void fill_rows_around(S& sink, Shape shape, Hole hole) {
   const linear::Rect& clip = sink.clip();
   if (clip.empty()) return;
+  shape.look_at(clip.x, clip.right());
+  hole.look_at(clip.x, clip.right());
   const int end = std::min(shape.bottom(), clip.bottom());
   for (int y = std::max(shape.top(), clip.y); y < end; ++y) {
     const RowSpan without = hole.row(y);
@@ -79,6 +84,7 @@ void outline_rows(S& sink, Shape shape) {
   int y = std::max(shape.top(), clip.y);
   const int end = std::min(shape.bottom(), clip.bottom());
   if (y >= end) return;
+  shape.look_at(clip.x, clip.right());
   RowSpan above = shape.row(y - 1);
   RowSpan row = shape.row(y);
   for (; y < end; ++y) {

@@ -69,19 +69,24 @@ class WindingScan {
 
   void add_edge(const linear::SubPoint& from, const linear::SubPoint& to) noexcept;
   [[nodiscard]] Entry& at(int index) noexcept { return entries_[static_cast<std::size_t>(index)]; }
-  [[nodiscard]] bool inside() const noexcept { return (winding_ & mask_) != 0; }
   [[nodiscard]] bool before(int a, int b) noexcept;
   [[nodiscard]] int merged(int a, int b) noexcept;
   [[nodiscard]] int sorted(int begin, int end) noexcept;
+  [[nodiscard, gnu::always_inline]] int pass_edge() noexcept;
+  int* insert(int index, int* link) noexcept;
   [[nodiscard]] bool next_row() noexcept;
+  /// The link of the active list that leads to the entry after this one.
+  [[nodiscard]] int& link_after(int index) noexcept { return index == none ? active_ : at(index).next_; }
 
   std::span<Entry> entries_;
   linear::Rect clip_;
   int mask_;            // of the winding: which of its bits mean inside
   int waiting_ = none;  // sorted by first row, then x
-  int active_ = none;   // sorted by x
+  int active_ = none;   // sorted by x: those before the cursor on row y_ + 1, the others on y_
   int cursor_ = none;   // next of the active edges on this row
-  int winding_ = 0;     // left of it
+  int stepped_ = none;  // the last of those before it that is still active
+  int stepped_x_ = 0;   // its x
+  int winding_ = 0;     // left of the cursor
   int y_ = 0;
   std::uint32_t count_ = 0;
 };
@@ -151,69 +156,80 @@ int WindingScan<Entry>::sorted(int begin, int end) noexcept {
 
 template <class Entry>
 bool WindingScan<Entry>::next(RowSpan& span) noexcept {
-  for (;;) {
+  for (bool inside = false;;) {
     int x = clip_.right();
-    const bool was_inside = inside();
     if (cursor_ != none) {
-      const Entry& edge = at(cursor_);
-      cursor_ = edge.next_;
-      winding_ += (edge.end_ & 1) != 0 ? -1 : 1;
-      if (was_inside == inside()) continue;
-      x = edge.x();
-    } else if (was_inside) {
+      x = pass_edge();
+      if (inside == ((winding_ & mask_) != 0)) continue;
+    } else if (inside) {
       // The edge that ends this span is right of the window and not kept.
       winding_ = 0;
     } else {
       if (!next_row()) return false;
       continue;
     }
-    if (!was_inside) {
+    inside = !inside;
+    if (inside) {
       span.x_begin = std::max(x, clip_.x);
     } else {
-      span.y = y_;
       span.x_end = std::min(x, clip_.right());
-      if (span.x_begin < span.x_end) return true;
+      if (span.x_begin >= span.x_end) continue;
+      span.y = y_;
+      return true;
     }
   }
 }
 
-/// Goes to the next row that any edge crosses and puts these edges in order.
+/// Goes past the edge at the cursor, which goes on to its next row, and says where that was.
+template <class Entry>
+inline int WindingScan<Entry>::pass_edge() noexcept {
+  const int index = cursor_;
+  Entry& edge = at(index);
+  const int x = edge.x();
+  winding_ += 1 - 2 * (edge.end_ & 1);
+  cursor_ = edge.next_;
+  const bool goes_on = edge.end_ >> 1 != y_ + 1;
+  if (goes_on) {
+    edge.next();
+    if (edge.x() >= stepped_x_) {
+      stepped_ = index;
+      stepped_x_ = edge.x();
+      return x;
+    }
+  }
+  // It ends here, or crossed others on its step.
+  link_after(stepped_) = cursor_;
+  if (goes_on) insert(index, &active_);
+  return x;
+}
+
+/// Puts an entry in its place in the active list, which isn't before this link. The link behind it.
+template <class Entry>
+int* WindingScan<Entry>::insert(int index, int* link) noexcept {
+  Entry& edge = at(index);
+  const int x = edge.x();
+  while (*link != none && at(*link).x() <= x) link = &at(*link).next_;
+  edge.next_ = *link;
+  *link = index;
+  return &edge.next_;
+}
+
+/// Goes to the next row that any edge crosses.
 template <class Entry>
 bool WindingScan<Entry>::next_row() noexcept {
-  int head = none;
-  int last = none;
-  const auto insert = [&](int index) {
-    Entry& edge = at(index);
-    const int x = edge.x();
-    int* link = &head;
-    if (last == none || at(last).x() <= x) {
-      if (last != none) link = &at(last).next_;
-      last = index;
-      edge.next_ = none;
-    } else {
-      // Its place is before the last, so the search ends there.
-      while (at(*link).x() <= x) link = &at(*link).next_;
-      edge.next_ = *link;
-    }
-    *link = index;
-  };
-
   ++y_;
-  for (int i = active_, following; i != none; i = following) {
-    Entry& edge = at(i);
-    following = edge.next_;
-    if (edge.end_ >> 1 <= y_) continue;
-    edge.next();
-    insert(i);
+  if (active_ == none) {
+    if (waiting_ == none) return false;
+    y_ = at(waiting_).row_;
   }
-  if (head == none && waiting_ == none) return false;
-  if (head == none) y_ = at(waiting_).row_;
-  while (waiting_ != none && at(waiting_).row_ == y_) {
+  for (int* link = &active_; waiting_ != none && at(waiting_).row_ == y_;) {
     const int first = waiting_;
     waiting_ = at(first).next_;
-    insert(first);
+    link = insert(first, link);
   }
-  active_ = cursor_ = head;
+  cursor_ = active_;
+  stepped_ = none;
+  stepped_x_ = INT32_MIN;
   winding_ = 0;
   return true;
 }

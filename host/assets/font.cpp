@@ -81,7 +81,8 @@ class Face {
     const FT_Bitmap& source = slot->bitmap;
     const int width = static_cast<int>(source.width);
     const int height = static_cast<int>(source.rows);
-    if (width > 0 && height > 0 && source.pixel_mode != FT_PIXEL_MODE_MONO)
+    // Damaged fonts have glyphs of a size, but without pixels.
+    if (width > 0 && height > 0 && (source.pixel_mode != FT_PIXEL_MODE_MONO || source.buffer == nullptr))
       throw Failure(fmt::format("{}: the glyph of U+{:04X} isn't a bitmap of two colours", path_, code));
     const auto ink = [&](int x, int y) {
       return (source.buffer[y * source.pitch + x / 8] >> (7 - x % 8) & 1) != 0;

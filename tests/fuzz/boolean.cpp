@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Polygons combined: exact areas, tidy contours, and workspaces that say what they need.
+// Polygons combined, both ways: exact areas, tidy contours, and workspaces that say what they need.
 #include <tests/clip/combine.hpp>
 #include <tests/fuzz/input.hpp>
 
@@ -58,6 +58,12 @@ void run(Input in) {
       require((q.x - p.x) * (r.y - q.y) != (q.y - p.y) * (r.x - q.x), "combine: a vertex that is no corner");
     }
   }
+  // Where the operands don't touch, the other way to the same set.
+  const tests::Combined walk = tests::walked(rule, a, b);
+  if (walk.status == intaglio::Status{intaglio::Error::unsupported, intaglio::Argument::vertices}) return;
+  require(walk.status.ok(), "combine_greiner_hormann refuses good polygons");
+  require(oracle::combined_area(walk.contours, {}, [](bool in_it, bool) { return in_it; }) == result.area(),
+          "combine_greiner_hormann: another area");
 }
 
 }  // namespace fuzz

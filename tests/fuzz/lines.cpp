@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: MIT
 //
-// Pixels, straight runs, rectangles, lines, dashes, thick lines and polylines.
+// Pixels, straight runs, rectangles, lines by every rung, dashes, thick lines and polylines.
 #include <intaglio/raster/dash.hpp>
 #include <intaglio/raster/line.hpp>
+#include <intaglio/raster/line_rungs.hpp>
 #include <intaglio/raster/pixel.hpp>
 #include <intaglio/raster/polyline.hpp>
 #include <intaglio/raster/rectangle.hpp>
 #include <intaglio/raster/thick_line.hpp>
+#include <intaglio/raster/thick_line_rungs.hpp>
 #include <tests/fuzz/workspace.hpp>
 #include <tests/oracle/line.hpp>
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace fuzz {
 namespace {
@@ -56,6 +59,21 @@ void line(Input& in, const Scene& scene) {
   for_pixels(scene.window, [&](int x, int y) {
     require(whole.has(x, y) == oracle::on_line(a.x, a.y, b.x, b.y, x, y), "draw_line: not the nearest");
   });
+}
+
+/// A rung has the pixels of the exact line as long as it says that none can be wrong.
+template <class Rung>
+void line_by(Input& in, const Scene& scene) {
+  const Point a = scene.point(in);
+  const Point b = scene.point(in);
+  const auto forth = [&](auto& sink) { return draw_line_by<Rung>(sink, a, b); };
+  const Drawn whole = check(scene, in, forth);
+  require_same(whole, drawn(scene.window, [&](auto& sink) { return draw_line_by<Rung>(sink, b, a); }),
+               "draw_line_by: from B to A isn't from A to B");
+  const Drawn exact = drawn(scene.window, [&](auto& sink) { return draw_line(sink, a, b); });
+  require(whole.status == exact.status, "draw_line_by and draw_line answer differently");
+  if (whole.status.ok() && Rung::wrong_pixels(std::max(std::abs(a.x - b.x), std::abs(a.y - b.y))) == 0)
+    require_same(whole, exact, "draw_line_by: a pixel wrong where none can be");
 }
 
 void sub_line(Input& in, const Scene& scene) {
@@ -106,6 +124,20 @@ void thick(Input& in, const Scene& scene) {
   check(scene, in, [&](auto& sink) { return draw_thick_line(sink, a, b, width, ends); });
 }
 
+void minor_thick(Input& in, const Scene& scene) {
+  const SubPoint a = scene.sub_point(in);
+  const SubPoint b = scene.sub_point(in);
+  const int thickness = in.length();
+  const Drawn whole =
+      check(scene, in, [&](auto& sink) { return draw_minor_thick_line(sink, a, b, thickness); });
+  require_same(whole,
+               drawn(scene.window, [&](auto& sink) { return draw_minor_thick_line(sink, b, a, thickness); }),
+               "draw_minor_thick_line: from B to A isn't from A to B");
+  if (thickness == 1)
+    require_same(whole, drawn(scene.window, [&](auto& sink) { return draw_line(sink, a, b); }),
+                 "draw_minor_thick_line: one pixel thick it isn't the line");
+}
+
 void polyline(Input& in, const Scene& scene) {
   Stroke stroke;
   stroke.width = in.sub_coordinate(0, 32);
@@ -134,7 +166,7 @@ void polyline(Input& in, const Scene& scene) {
 }  // namespace
 
 void run(Input in) {
-  const int what = in.choice(6);
+  const int what = in.choice(10);
   const Scene scene(in);
   switch (what) {
     case 0:
@@ -147,8 +179,16 @@ void run(Input in) {
       return dashes(in, scene);
     case 4:
       return thick(in, scene);
-    default:
+    case 5:
       return polyline(in, scene);
+    case 6:
+      return line_by<RoundedLine>(in, scene);
+    case 7:
+      return line_by<SplitErrorLine>(in, scene);
+    case 8:
+      return line_by<DistanceLine>(in, scene);
+    default:
+      return minor_thick(in, scene);
   }
 }
 

@@ -186,11 +186,11 @@ class Simulation {
 void list_all(std::ostream& out) {
   out << "Programs:\n";
   for (const Program& program : programs())
-    out << fmt::format("  {:10}{}\n", program.name, program.description);
+    out << fmt::format("  {:12}{}\n", program.name, program.description);
   out << "\nPanels:\n";
   for (const hal::sim::PanelSpec& panel : hal::sim::catalog()) {
     const hal::Capabilities& c = panel.capabilities;
-    out << fmt::format("  {:10}{}x{}x{}: {}\n", panel.name, c.width, c.height, c.bits_per_pixel,
+    out << fmt::format("  {:12}{}x{}x{}: {}\n", panel.name, c.width, c.height, c.bits_per_pixel,
                        panel.description);
   }
   out << "  WxHxB     any size, B bits a pixel (1, 2, 4, 8): paletted, double buffered\n"

@@ -16,8 +16,8 @@
 // Bit budget: position within 2^20 and sizes within 2^20, so every edge stays within 2^21.
 //
 // Cost: `Everything` between views of one format moves whole bytes: by std::memmove, a call a row, where
-// pixels have the same places in their bytes, else each byte joined from two. The other rules go pixel by
-// pixel, but a colour key of 8 bits: four pixels at a time where source and target lie alike in their words.
+// pixels have the same places in their bytes, else each byte joined from two. `ColourKey` does so byte by
+// byte, at 8 bits by words where source and target lie alike in theirs. The other rules go pixel by pixel.
 #pragma once
 
 #include <intaglio/image/overlap.hpp>
@@ -212,49 +212,105 @@ inline void move_run(const MaskedRun& to, const std::uint8_t* source, Walk walk)
       });
 }
 
-/// Copies a run of bytes from `source`, whose first pixel lies `slots` places further right in its byte than
-/// the run's (left where negative, never 0), and whose last pixel lies in `source[last]`. Every byte of the
-/// run is made of two of the source; at the edges one of them may not exist, and then the mask hides it.
+/// Bytes of a source as they fall into a target's bytes, where pixels lie `slots` places further right in
+/// theirs (left where negative): each is joined of two of the source. The last is `source[last]`; of those at
+/// the edges one may not exist, and then a mask hides what is read for it.
 template <PixelFormat F>
-void shift_run(const MaskedRun& to, const std::uint8_t* source, int last, int slots, Walk walk) noexcept {
-  const int before = slots < 0 ? -1 : 0;
-  const auto left = static_cast<unsigned>(slots * F::bits & 7);
-  const auto joined = [left](unsigned a, unsigned b) {
-    return F::order == BitOrder::msb_first ? a << left | b >> (8U - left) : a >> left | b << (8U - left);
-  };
-  const auto at = [source, last](int byte) -> unsigned {
-    return byte < 0 || byte > last ? 0U : source[byte];
-  };
+class JoinedBytes {
+ public:
+  JoinedBytes(const std::uint8_t* source, int last, int slots) noexcept
+      : source_(source),
+        last_(last),
+        before_(slots < 0 ? -1 : 0),
+        left_(static_cast<unsigned>(slots * F::bits & 7)) {}
+
+  /// Byte `byte` of the target's run, one of its edges.
+  [[nodiscard]] unsigned edge(int byte) const noexcept {
+    return joined(at(byte + before_), at(byte + before_ + 1));
+  }
+  /// Byte `byte`, one between the edges. Only for slots other than 0.
+  [[nodiscard]] unsigned middle(int byte) const noexcept {
+    return joined(source_[byte + before_], source_[byte + before_ + 1]);
+  }
+
+ private:
+  [[nodiscard]] unsigned at(int byte) const noexcept { return byte < 0 || byte > last_ ? 0U : source_[byte]; }
+  [[nodiscard]] unsigned joined(unsigned a, unsigned b) const noexcept {
+    return (F::order == BitOrder::msb_first ? a << left_ | b >> (8U - left_)
+                                            : a >> left_ | b << (8U - left_)) &
+           255U;
+  }
+
+  const std::uint8_t* source_;
+  int last_;
+  int before_;
+  unsigned left_;
+};
+
+/// Calls `put(byte)` for begin .. end-1, in the walk's direction.
+template <class Put>
+void walk_bytes(int begin, int end, Walk walk, Put put) noexcept {
+  if (walk == Walk::backwards)
+    while (end-- > begin) put(end);
+  else
+    for (; begin < end; ++begin) put(begin);
+}
+
+/// Copies a run of bytes from a source whose pixels have other places in their bytes.
+template <PixelFormat F>
+void shift_run(const MaskedRun& to, const JoinedBytes<F>& source, Walk walk) noexcept {
   walk_run(
-      to, walk,
-      [&](int byte, unsigned mask) {
-        merge(to.first[byte], joined(at(byte + before), at(byte + before + 1)), mask);
-      },
+      to, walk, [&](int byte, unsigned mask) { merge(to.first[byte], source.edge(byte), mask); },
       [&](int begin, int end) {
-        const auto put = [&](int byte) {
-          to.first[byte] =
-              static_cast<std::uint8_t>(joined(source[byte + before], source[byte + before + 1]));
-        };
-        if (walk == Walk::backwards)
-          while (end-- > begin) put(end);
-        else
-          for (; begin < end; ++begin) put(begin);
+        walk_bytes(begin, end, walk,
+                   [&](int byte) { to.first[byte] = static_cast<std::uint8_t>(source.middle(byte)); });
       });
 }
 
-/// Copies a row of pixels as they are between views of one layout, by whole bytes.
-template <PixelFormat F, PixelFormat G>
+/// The bits of those pixels of a byte that have any of theirs set.
+template <PixelFormat F>
+[[nodiscard]] constexpr unsigned pixels_set(unsigned byte) noexcept {
+  if constexpr (F::bits == 4) byte |= byte >> 2U;
+  if constexpr (F::bits != 1) byte |= byte >> 1U;
+  constexpr unsigned lowest = 255U / F::max_index;
+  return (byte & lowest) * F::max_index;
+}
+static_assert(pixels_set<Indexed1>(0xA1) == 0xA1 && pixels_set<Indexed2>(0x48) == 0xCC &&
+              pixels_set<Indexed4>(0x80) == 0xF0);
+
+/// The same without the pixels of one index.
+template <PixelFormat F>
+void key_run(const MaskedRun& to, const JoinedBytes<F>& source, Walk walk, Pattern key) noexcept {
+  const auto put = [&](int byte, unsigned mask) {
+    const unsigned bits = source.edge(byte);
+    merge(to.first[byte], bits, mask & pixels_set<F>(bits ^ key.byte()));
+  };
+  walk_run(to, walk, put,
+           [&](int begin, int end) { walk_bytes(begin, end, walk, [&](int byte) { put(byte, 255); }); });
+}
+
+/// Copies a row of pixels by `Everything` or, of less than 8 bits, by `ColourKey` between views of one
+/// layout, by whole bytes.
+template <PixelFormat F, PixelFormat G, class Rule>
 void move_row(const Surface<F>& target, linear::Point at, const Picture<G>& source, linear::Point from,
-              int width, Walk walk) noexcept {
+              int width, Walk walk, const Rule& rule) noexcept {
   const MaskedRun run = row_run(target, at.y, at.x, at.x + width);
   const std::uint8_t* const first = source.byte_at(from.x, from.y);
   const int slot = source.slot_at(from.x);
   const int slots = slot - target.slot_at(at.x);
-  if (slots == 0)
+  const JoinedBytes<F> joined(first, (slot + width - 1) >> F::byte_shift, slots);
+  if constexpr (std::same_as<Rule, ColourKey>)
+    key_run(run, joined, walk, Pattern(F::replicate(rule.key)));
+  else if (slots == 0)
     move_run(run, first, walk);
   else if constexpr (F::bits < 8)
-    shift_run<F>(run, first, (slot + width - 1) >> F::byte_shift, slots, walk);
+    shift_run(run, joined, walk);
 }
+
+/// True if `move_row` can copy by the rule.
+template <PixelFormat F, PixelFormat G, class Rule>
+inline constexpr bool moves_rows = same_layout<F, G> && (std::same_as<Rule, Everything> ||
+                                                         (F::bits < 8 && std::same_as<Rule, ColourKey>));
 
 /// Copies a row of bytes, a pixel each.
 template <class Rule>
@@ -322,8 +378,8 @@ noexcept {
   for (int left = part.height; left > 0; --left, row += step) {
     const linear::Point to_row{part.x, part.y + row};
     const linear::Point from_row{from.x, from.y + row};
-    if constexpr (std::same_as<Rule, Everything> && detail::same_layout<F, G>)
-      detail::move_row(target, to_row, picture, from_row, part.width, walk);
+    if constexpr (detail::moves_rows<F, G, Rule>)
+      detail::move_row(target, to_row, picture, from_row, part.width, walk, rule);
     else
       detail::blit_row(target, to_row, picture, {part.x - position.x, part.y - position.y + row}, part.width,
                        walk, rule);

@@ -3,7 +3,13 @@
 // What every primitive must do, whatever it draws: each pixel once, the same pixels under any clip and in any
 // band, and nothing left after drawing twice by exclusive-or.
 #include <intaglio/image/surface.hpp>
+#include <intaglio/raster/coverage.hpp>
+#include <intaglio/raster/enlargement.hpp>
+#include <intaglio/raster/pitteway.hpp>
+#include <intaglio/raster/smooth_line.hpp>
 #include <intaglio/raster/solid.hpp>
+#include <intaglio/raster/supersample.hpp>
+#include <tests/oracle/level_sink.hpp>
 #include <tests/oracle/recording_sink.hpp>
 #include <tests/oracle/samples.hpp>
 #include <tests/raster/every_primitive.hpp>
@@ -12,6 +18,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -93,6 +100,55 @@ TEST(EveryPrimitive, ExclusiveOrTwiceRestoresAndBandsMakeThePicture) {
       }
     }
     EXPECT_EQ(wrong, 0) << recorded[n].name << ", " << random.seed_text();
+  }
+}
+
+TEST(EveryPrimitive, NoClipChangesALevelOfCoverage) {
+  using namespace intaglio::raster;
+  using oracle::LevelSink;
+  struct Named {
+    const char* name;
+    intaglio::Status (*draw)(LevelSink& sink, const Figure& f);
+  };
+  static constexpr std::array two_contours{3, 3};
+  constexpr Named list[] = {
+      {"area of a polygon",
+       [](LevelSink& s, const Figure& f) {
+         std::array<CoverageCell, coverage_cells(6, width)> workspace;
+         return fill_coverage(s, FillRule::even_odd, f.places, two_contours, workspace);
+       }},
+      {"smooth line",
+       [](LevelSink& s, const Figure& f) {
+         std::array<CoverageCell, coverage_cells(4, width)> workspace;
+         return draw_smooth_line(s, f.places[0], f.places[1], f.width * 60, Cap::square, workspace);
+       }},
+      {"convex polygon by Pitteway's way",
+       [](LevelSink& s, const Figure& f) { return fill_convex_pitteway(s, std::span(f.places).first<3>()); }},
+      {"supersampled triangle", [](LevelSink& s, const Figure& f) {
+         const Enlargement enlarge(4);
+         std::array<SampleCell, 3 * width> workspace;
+         return supersample(s, {}, workspace, [&](auto& samples) {
+           return fill_triangle(samples, enlarge.place(f.places[0]), enlarge.place(f.places[1]),
+                                enlarge.place(f.places[2]));
+         });
+       }}};
+  for (const Named& primitive : list) {
+    oracle::Random random(4245);
+    int wrong = 0;
+    int seen = 0;
+    for (int i = 0; i < figures(); ++i) {
+      const Figure figure = tests::random_figure(random, reach_of(i));
+      LevelSink whole(all);
+      const auto status = primitive.draw(whole, figure);
+      const Rect clip = random_part(random);
+      LevelSink part(clip);
+      wrong += primitive.draw(part, figure) != status || whole.bad() || part.bad() ? 1 : 0;
+      for (int y = clip.y; y < clip.bottom(); ++y)
+        for (int x = clip.x; x < clip.right(); ++x) wrong += part.level(x, y) != whole.level(x, y) ? 1 : 0;
+      seen += whole.spans() > 0 ? 1 : 0;
+    }
+    EXPECT_EQ(wrong, 0) << primitive.name << ", " << random.seed_text();
+    EXPECT_GT(seen, figures() / 10) << primitive.name;
   }
 }
 

@@ -12,10 +12,11 @@ std::string_view language_help() {
   color INDEX                what is drawn with (or colour); at first the last index
   mode set|xor               store the index, or exclusive-or it into what is there
   aa off | aa METHOD [light] smooth edges: area (exact), pitteway (convex), abuffer4x4, abuffer4x8, adaptive2 to 8,
-                             stochastic2 to 8 draw lines, triangles and polygons; box2 to 8 (samples a side) and
-                             bartlettSxW (S = 2 to 5 or 7 samples a side, W to 8 a window) draw most others, too.
-                             Short: box, adaptive, stochastic (4 samples a side), abuffer, bartlett3, 5 and 7. Colours
-                             are mixed by their codes, or as light, to the palette's nearest; 1 bit is dithered
+                             stochastic2 to 8, box2 to 8 (samples a side), bartlettSxW (S = 2 to 5 or 7 samples a side,
+                             W to 8 a window). Short: box, adaptive, stochastic (4 samples a side), abuffer,
+                             bartlett3, 5 and 7. Polylines, round ends and boolean need box or bartlett; dash can't.
+                             Colours are mixed by their codes, or as light, to the palette's nearest; 1 bit is
+                             dithered. Curves are drawn as polygons not 1/256 pixel off, but for box and bartlett
   clip X Y W H | clip none   draw only inside
   clippoly [evenodd|nonzero] X Y X Y X Y ... [/ X Y ...] | clippoly none
                              draw only inside this polygon, too; a flood spreads where it doesn't draw, as well

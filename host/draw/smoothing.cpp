@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include <host/draw/outline.hpp>
 #include <host/draw/smoothing.hpp>
 #include <host/failure.hpp>
 #include <intaglio/raster/adaptive.hpp>
-#include <intaglio/raster/arc.hpp>
-#include <intaglio/raster/chord.hpp>
-#include <intaglio/raster/ellipse.hpp>
-#include <intaglio/raster/ellipse_arc.hpp>
 #include <intaglio/raster/enlargement.hpp>
 #include <intaglio/raster/inside.hpp>
 #include <intaglio/raster/oval.hpp>
@@ -67,34 +64,6 @@ constexpr auto short_names = std::to_array<std::pair<std::string_view, std::stri
     {"abuffer", "abuffer4x4"},
 });
 
-/// The polygon that a primitive is, if it is one; `status` is what is wrong with it.
-struct AsPolygon {
-  Status& status;
-
-  std::optional<Polygon> operator()(const Line& l) const {
-    return quadrilateral(l.from, l.to, linear::subpixel_one, raster::Cap::butt);
-  }
-  std::optional<Polygon> operator()(const ThickLine& l) const {
-    if (l.cap == raster::Cap::round) return std::nullopt;
-    return quadrilateral(l.from, l.to, l.width, l.cap);
-  }
-  std::optional<Polygon> operator()(const Triangle& t) const {
-    return Polygon{raster::FillRule::non_zero, {t.a, t.b, t.c}, {3}, {}};
-  }
-  std::optional<Polygon> operator()(const Polygon& p) const { return p; }
-  template <class Other>
-  std::optional<Polygon> operator()(const Other& /*other*/) const {
-    return std::nullopt;
-  }
-
- private:
-  [[nodiscard]] Polygon quadrilateral(SubPoint from, SubPoint to, int width, raster::Cap cap) const {
-    std::array<SubPoint, 4> corners{};
-    status = raster::detail::thick_line_corners(from, to, width, cap, corners);
-    return {raster::FillRule::non_zero, {corners.begin(), corners.end()}, {4}, {}};
-  }
-};
-
 std::vector<SubPoint> enlarged(std::vector<SubPoint> places, const Enlargement& by) {
   for (SubPoint& place : places) place = by.place(place);
   return places;
@@ -140,44 +109,34 @@ struct EnlargedDrawer {
     return round(square_around(r.centre, r.outer_radius), r.inner_radius, r.centre);
   }
   Status operator()(const Ellipse& e) const {
-    require_odd();
-    const Point centre = middle(e.centre);
-    const int x_radius = radius(e.x_radius);
-    const int y_radius = radius(e.y_radius);
-    if (e.filled || e.x_radius < 1 || e.y_radius < 1)
-      return raster::fill_ellipse(sink, centre, x_radius, y_radius);
-    const Status status = raster::detail::check_ellipse(centre, x_radius, y_radius);
+    const Status status = raster::detail::check_ellipse(e.centre, e.x_radius, e.y_radius);
     if (!status.ok()) return status;
-    raster::detail::fill_rows_around(
-        sink, raster::detail::Oval::around(centre, x_radius, y_radius),
-        raster::detail::Oval::around(centre, radius(e.x_radius - 1), radius(e.y_radius - 1)));
-    return {};
+    const auto box = [&](int less) {
+      return Rect{e.centre.x - e.x_radius + less, e.centre.y - e.y_radius + less, 2 * (e.x_radius - less) + 1,
+                  2 * (e.y_radius - less) + 1};
+    };
+    return between(box(0), e.filled ? Rect{} : box(1));
   }
-  Status operator()(const Arc& a) const {
-    require_odd();
-    const Point centre = middle(a.centre);
-    if (a.shape == SweptShape::pie) return raster::fill_pie(sink, centre, radius(a.radius), a.start, a.sweep);
-    if (a.shape == SweptShape::chord)
-      return raster::fill_chord(sink, centre, radius(a.radius), a.start, a.sweep);
-    fail();
-  }
-  Status operator()(const EllipseArc& a) const {
-    require_odd();
-    const Point centre = middle(a.centre);
-    const int x_radius = radius(a.x_radius);
-    const int y_radius = radius(a.y_radius);
-    if (a.shape == SweptShape::pie)
-      return raster::fill_ellipse_pie(sink, centre, x_radius, y_radius, a.start, a.sweep);
-    if (a.shape == SweptShape::chord)
-      return raster::fill_ellipse_chord(sink, centre, x_radius, y_radius, a.start, a.sweep);
-    fail();
-  }
+  Status operator()(const Arc& a) const { return outlined(a); }
+  Status operator()(const EllipseArc& a) const { return outlined(a); }
   Status operator()(const RoundRectangle& r) const {
-    if (!r.filled) fail();
-    const auto corner = [&](int pixels) { return pixels == 0 ? 0 : radius(pixels); };
-    return raster::fill_round_rect(sink, by.area(r.area),
-                                   {corner(r.radii.top_left), corner(r.radii.top_right),
-                                    corner(r.radii.bottom_right), corner(r.radii.bottom_left)});
+    const Status status = raster::detail::check_round_rect(r.area, r.radii);
+    if (!status.ok() || r.area.empty()) return status;
+    const raster::CornerRadii radii = raster::detail::fitting(r.area, r.radii);
+    const auto shape = [&](int less) {
+      const auto corner = [&](int pixels) { return pixels <= less ? 0 : radius(pixels - less); };
+      const Rect area =
+          by.area({r.area.x + less, r.area.y + less, r.area.width - 2 * less, r.area.height - 2 * less});
+      return raster::detail::RoundRectShape(area, {corner(radii.top_left), corner(radii.top_right),
+                                                   corner(radii.bottom_right), corner(radii.bottom_left)});
+    };
+    if (!linear::in_domain(by.area(r.area)))
+      return {intaglio::Error::out_of_domain, intaglio::Argument::rectangle};
+    if (r.filled || std::min(r.area.width, r.area.height) < 3)
+      raster::detail::fill_rows(sink, shape(0));
+    else
+      raster::detail::fill_rows_around(sink, shape(0), shape(1));
+    return {};
   }
   Status operator()(const Triangle& t) const {
     return raster::fill_triangle(sink, by.place(t.a), by.place(t.b), by.place(t.c));
@@ -197,9 +156,11 @@ struct EnlargedDrawer {
 
  private:
   [[noreturn]] void fail() const { throw Failure(fmt::format("aa {} doesn't draw this", name)); }
-  void require_odd() const {
-    if (by.across() % 2 == 0)
-      throw Failure(fmt::format("aa {} doesn't draw this; box3, box5 and box7 do", name));
+  [[nodiscard]] Status outlined(const Primitive& primitive) const {
+    Status status;
+    const auto polygon = outline_of(primitive, status);
+    if (!status.ok()) return status;
+    return (*this)(*polygon);
   }
   static Rect square_around(Point centre, int pixels) {
     return {centre.x - pixels, centre.y - pixels, 2 * pixels + 1, 2 * pixels + 1};
@@ -208,28 +169,22 @@ struct EnlargedDrawer {
   [[nodiscard]] Status round(const Rect& outer, int inner_radius, Point centre) const {
     return between(outer, inner_radius < 0 ? Rect{} : square_around(centre, inner_radius));
   }
-  /// The disc in a square without that in another around the same middle, if that isn't empty.
+  /// The oval in a box without that in another around the same middle, if that isn't empty.
   [[nodiscard]] Status between(const Rect& outer, const Rect& inner) const {
     const Rect large = by.area(outer);
+    if (!linear::in_domain(large)) return {intaglio::Error::out_of_domain, intaglio::Argument::radius};
+    const raster::detail::Oval all({large.x, large.y}, large.width, large.height);
+    if (inner.empty()) {
+      raster::detail::fill_rows(sink, all);
+      return {};
+    }
     const Rect small = by.area(inner);
-    const Status status = raster::detail::check_diameter({large.x, large.y}, large.width);
-    if (!status.ok()) return status;
-    if (inner.empty()) return raster::fill_disc_in(sink, {large.x, large.y}, large.width);
-    raster::detail::fill_rows_around(sink, raster::detail::Oval({large.x, large.y}, large.width, large.width),
-                                     raster::detail::Oval({small.x, small.y}, small.width, small.width));
+    raster::detail::fill_rows_around(sink, all,
+                                     raster::detail::Oval({small.x, small.y}, small.width, small.height));
     return {};
   }
-  /// The pixel in the middle of a pixel, for odd factors; outside the domain if it is.
-  [[nodiscard]] Point middle(Point p) const {
-    const Rect square = by.area({p.x, p.y, 1, 1});
-    return {square.x + by.across() / 2, square.y + by.across() / 2};
-  }
-  /// The radius of what is 2 * pixels + 1 wide, enlarged; negative ones stay so.
-  [[nodiscard]] int radius(int pixels) const {
-    constexpr int far = linear::coordinate_limit + 1;
-    const int within = std::clamp(pixels, -1, far);
-    return within < 0 ? -1 : (by.across() * (2 * within + 1) - 1) / 2;
-  }
+  /// The radius of a corner that is 2 * pixels + 1 wide, enlarged.
+  [[nodiscard]] int radius(int pixels) const { return (by.across() * (2 * pixels + 1) - 1) / 2; }
 };
 
 Status draw_samples(const AnyCoverage& sink, const Smoothing& smoothing, const Primitive& primitive) {
@@ -304,9 +259,9 @@ bool has_edges(const Primitive& primitive) {
 Status draw_smooth(const AnyCoverage& sink, const Smoothing& smoothing, const Primitive& primitive) {
   if (smoothing.way == Smoothing::Way::samples) return draw_samples(sink, smoothing, primitive);
   Status status;
-  const auto polygon = std::visit(AsPolygon{status}, primitive);
+  const auto polygon = outline_of(primitive, status);
   if (!status.ok()) return status;
-  if (!polygon) throw Failure(fmt::format("aa {} draws lines, triangles and polygons only", smoothing.name));
+  if (!polygon) throw Failure(fmt::format("aa {} doesn't draw this; box4 may", smoothing.name));
   return draw_polygon(sink, smoothing, *polygon);
 }
 

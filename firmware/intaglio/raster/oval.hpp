@@ -45,7 +45,7 @@ struct FromEnds {
 class Oval {
  public:
   /// Fits the box of width by height pixels, 1 .. 2^21 + 1 each, with its top left at `corner` (within 2^21).
-  /// Where one of them is even, both must be and be equal.
+  /// Where one of them is even, both must be.
   Oval(linear::Point corner, int width, int height) noexcept;
   /// The ellipse around the centre of a pixel.
   static Oval around(linear::Point centre, int x_radius, int y_radius) noexcept {

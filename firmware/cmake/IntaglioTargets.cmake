@@ -2,6 +2,11 @@
 #
 # How targets are made here: warnings, the freestanding rules, and the summary printed after configuring.
 
+# intaglio_compile_quickly(SOURCES...): leaves these unoptimised: what takes long to optimise and is quick anyhow.
+function(intaglio_compile_quickly)
+  set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS -O0)
+endfunction()
+
 # intaglio_own(TARGET): our own code: C++20 and strict warnings.
 function(intaglio_own target)
   target_compile_features(${target} PUBLIC cxx_std_20)

@@ -2,6 +2,7 @@
 #include <host/draw/outline.hpp>
 #include <host/draw/smoothing.hpp>
 #include <host/failure.hpp>
+#include <intaglio/number/division.hpp>
 #include <intaglio/raster/adaptive.hpp>
 #include <intaglio/raster/enlargement.hpp>
 #include <intaglio/raster/inside.hpp>
@@ -199,6 +200,50 @@ Status draw_samples(const AnyCoverage& sink, const Smoothing& smoothing, const P
   });
 }
 
+/// Asks if places are inside a polygon, which may have very many vertices: on each row of pixels it looks
+/// only at what of the polygon reaches that row. Of vertices that follow each other above it, or below it,
+/// the first and the last stand for all.
+class RowQuestions {
+ public:
+  /// Places are enlarged ones; a row is `row_height` high, in 1/256 enlarged pixel.
+  RowQuestions(const Polygon& polygon, std::vector<SubPoint> vertices, int row_height)
+      : polygon_(&polygon), all_(std::move(vertices)), row_height_(row_height) {}
+
+  [[nodiscard]] intaglio::Result<bool> ask(SubPoint place) {
+    if (place.y < top_ || place.y > top_ + row_height_ || lengths_.empty()) look_at(place.y);
+    return raster::inside_polygon(polygon_->rule, vertices_, lengths_, place);
+  }
+
+ private:
+  void look_at(int y) {
+    top_ = intaglio::number::floor_div(y + linear::subpixel_one / 2, row_height_) * row_height_ -
+           linear::subpixel_one / 2;
+    vertices_.clear();
+    lengths_.clear();
+    const auto side = [&](const SubPoint& v) { return v.y < top_ ? -1 : v.y > top_ + row_height_ ? 1 : 0; };
+    auto contour = all_.begin();
+    for (const int length : polygon_->contour_lengths) {
+      const std::size_t before = vertices_.size();
+      for (int i = 0; i < length; ++i) {
+        const int here = side(contour[i]);
+        const int last = side(contour[i > 0 ? i - 1 : length - 1]);
+        const int next = side(contour[i + 1 < length ? i + 1 : 0]);
+        // Three make a contour, wherever they are.
+        if (here == 0 || here != last || here != next || i < 3) vertices_.push_back(contour[i]);
+      }
+      lengths_.push_back(static_cast<int>(vertices_.size() - before));
+      contour += length;
+    }
+  }
+
+  const Polygon* polygon_;
+  std::vector<SubPoint> all_;
+  int row_height_;
+  int top_ = 0;
+  std::vector<SubPoint> vertices_;
+  std::vector<int> lengths_;
+};
+
 Status draw_polygon(const AnyCoverage& sink, const Smoothing& smoothing, const Polygon& p) {
   using Way = Smoothing::Way;
   switch (smoothing.way) {
@@ -223,13 +268,11 @@ Status draw_polygon(const AnyCoverage& sink, const Smoothing& smoothing, const P
     }
     default: {
       const int scale = smoothing.grid.scale;
-      const std::vector<SubPoint> vertices = enlarged(p.vertices, Enlargement(scale));
-      const auto asked = [&](SubPoint place) {
-        return raster::inside_polygon(p.rule, vertices, p.contour_lengths, place);
-      };
-      const Status status = asked({}).status();
+      std::vector<SubPoint> vertices = enlarged(p.vertices, Enlargement(scale));
+      const Status status = raster::inside_polygon(p.rule, vertices, p.contour_lengths, {}).status();
       if (!status.ok()) return status;
-      const auto inside = [&](SubPoint place) { return asked(place).value(); };
+      RowQuestions questions(p, std::move(vertices), scale * linear::subpixel_one);
+      const auto inside = [&](SubPoint place) { return questions.ask(place).value(); };
       return smoothing.way == Way::adaptive
                  ? raster::cover_adaptively(sink, sink.clip(), scale, inside)
                  : raster::cover_stochastically(sink, sink.clip(), scale, 0, inside);

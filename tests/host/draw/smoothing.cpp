@@ -161,6 +161,18 @@ TEST(DrawSmooth, PartsOfCurvesHaveTheirAreaAndMakeTheWhole) {
   }
 }
 
+TEST(DrawSmooth, CurvesFarLargerThanThePictureAreDrawnSoonAndRightly) {
+  // The curve goes up left of column 19, nearly straight.
+  for (const char* name : {"area", "abuffer", "adaptive8", "stochastic8"}) {
+    const auto indices = draw(std::string("aa ") + name + "\npie 60019 15 60000 10000 45000")->indices();
+    for (int y = 0; y < height; ++y) {
+      double sum = 0;
+      for (int x = 0; x < width; ++x) sum += indices[static_cast<std::size_t>(y * width + x)];
+      EXPECT_NEAR(sum / 255, 21, 0.2) << name << " " << y;
+    }
+  }
+}
+
 TEST(DrawSmooth, WhatLiesAlongRowsAndColumnsStaysAsItIs) {
   for (const char* command :
        {"pixel 3 4", "rect 3 4 9 8", "fillrect 3 4 9 8", "text 2 3 \"Ab\"", "flood 4 3 3"})

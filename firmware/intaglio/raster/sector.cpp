@@ -62,8 +62,14 @@ bool Ray::comes_after(int dx, int dy) const noexcept {
     along = 1;
   }
   if (quadrant != quadrant_) return quadrant < quadrant_;
-  return !number::product_at_least(static_cast<std::uint64_t>(across), cosine_,
-                                   static_cast<std::uint64_t>(along), sine_);
+  // Cut to 30 bits, cosine and sine are less than a unit short: that decides but close to the ray.
+  const auto p = static_cast<std::uint32_t>(across);
+  const auto q = static_cast<std::uint32_t>(along);
+  const std::uint64_t left = std::uint64_t{p} * static_cast<std::uint32_t>(cosine_ >> 32U);
+  const std::uint64_t right = std::uint64_t{q} * static_cast<std::uint32_t>(sine_ >> 32U);
+  if (left + p < right) return true;
+  if (left >= right + q) return false;
+  return !number::product_at_least(p, cosine_, q, sine_);
 }
 
 int Ray::same_until(int begin, int end, int dy) const noexcept {
@@ -121,8 +127,8 @@ Sector::Sector(number::Angle start, int sweep) noexcept
 
 bool Sector::holds(int dx, int dy) const noexcept {
   const bool after_first = !first_.comes_after(dx, dy);
-  const bool before_last = last_.comes_after(dx, dy);
-  return across_zero_ ? after_first || before_last : after_first && before_last;
+  if (after_first == across_zero_) return across_zero_;
+  return last_.comes_after(dx, dy);
 }
 
 int Sector::same_until(int begin, int end, int dy) const noexcept {

@@ -92,6 +92,10 @@ class PartSink {
 
   [[nodiscard]] linear::Rect clip() const { return sink_->clip(); }
   void span(int y, int begin, int end) {
+    if (end - begin == 1) {
+      if (part_.holds(begin - centre_.x, y - centre_.y)) sink_->span(y, begin, end);
+      return;
+    }
     while (begin < end) {
       const int stop = centre_.x + part_.same_until(begin - centre_.x, end - centre_.x, y - centre_.y);
       if (part_.holds(begin - centre_.x, y - centre_.y)) sink_->span(y, begin, stop);

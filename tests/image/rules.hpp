@@ -18,21 +18,24 @@ namespace tests {
 /// What is drawn for an index of the source; nothing where the target stays.
 using IndexMap = std::function<std::optional<unsigned>(unsigned)>;
 
-/// Calls try_rule(rule, map) for each rule that copies from G to F, with a random colour key and a random
-/// table of indices that the target can hold.
+/// Calls try_rule(rule, map) for the rules that copy from G to F, with a random colour key and a random table
+/// of indices that the target can hold: each rule between formats of one depth; between others those two of
+/// which the rest are halves.
 template <class F, class G, class Try>
 void try_all_rules(oracle::Random& random, Try try_rule) {
   const auto key = static_cast<unsigned>(random.bits() % (G::max_index + 1U));
   std::array<std::uint8_t, G::max_index + 1> table{};
   for (std::uint8_t& entry : table) entry = static_cast<std::uint8_t>(random.bits() % (F::max_index + 1U));
   const std::uint8_t* const entries = table.data();
-  try_rule(intaglio::image::Remap{table}, IndexMap([=](unsigned index) { return entries[index]; }));
+  if constexpr (F::bits == G::bits)
+    try_rule(intaglio::image::Remap{table}, IndexMap([=](unsigned index) { return entries[index]; }));
   const IndexMap keyed = [=](unsigned index) {
     return index == key ? std::nullopt : std::optional<unsigned>(entries[index]);
   };
   try_rule(intaglio::image::KeyedRemap{key, table}, keyed);
-  if constexpr (G::bits <= F::bits) {
+  if constexpr (G::bits <= F::bits)
     try_rule(intaglio::image::Everything{}, IndexMap([](unsigned index) { return index; }));
+  if constexpr (F::bits == G::bits) {
     const IndexMap all_but_key = [=](unsigned index) {
       return index == key ? std::nullopt : std::optional(index);
     };

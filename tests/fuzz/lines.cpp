@@ -155,9 +155,9 @@ void polyline(Input& in, const Scene& scene) {
   if (!whole.status.ok()) return;
   const auto needed = polyline_workspace(points, stroke, scene.window);
   require(needed.ok() && needed.value() == edges.size(), "polyline_workspace isn't what draw_polyline needs");
-  // The way back may take other edges; 8 a point always do.
+  // The way back may take other edges; 4 a segment and 6 a miter always do.
   std::reverse(points.begin(), points.end());
-  edges.resize(8 * points.size());
+  edges.resize(10 * points.size() + 4);
   require_same(whole,
                drawn(scene.window, [&](auto& sink) { return draw_polyline(sink, points, stroke, edges); }),
                "draw_polyline: from the last point to the first isn't from the first to the last");

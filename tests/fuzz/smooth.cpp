@@ -7,13 +7,11 @@
 #include <intaglio/raster/coverage.hpp>
 #include <intaglio/raster/dithered_coverage.hpp>
 #include <intaglio/raster/inside.hpp>
-#include <intaglio/raster/mask_buffer.hpp>
 #include <intaglio/raster/pitteway.hpp>
 #include <intaglio/raster/polygon.hpp>
 #include <intaglio/raster/smooth_line.hpp>
 #include <intaglio/raster/stochastic.hpp>
 #include <intaglio/raster/supersample.hpp>
-#include <intaglio/raster/visible_area.hpp>
 #include <tests/fuzz/polygon_input.hpp>
 #include <tests/oracle/coverage.hpp>
 
@@ -295,80 +293,15 @@ void by_places(Input& in, const Scene& scene) {
   });
 }
 
-/// Levels of layers, and their sums; each layer and pixel once, and never more than the whole of a pixel.
-class Layers {
- public:
-  Layers(const Rect& clip, int layers)
-      : sum_(clip), levels_(static_cast<std::size_t>(layers), Levels(clip)) {}
-  [[nodiscard]] const Rect& clip() const { return sum_.clip(); }
-  void span(int layer, int y, int x_begin, int x_end, int level) {
-    levels_.at(static_cast<std::size_t>(layer)).span(y, x_begin, x_end, level);
-    for (int x = x_begin; x < x_end; ++x) {
-      int sum = 0;
-      for (const Levels& one : levels_) sum += one.at(x, y);
-      require(sum <= full_coverage, "layers that cover more than a pixel");
-    }
-  }
-  [[nodiscard]] const Levels& of(std::size_t layer) const { return levels_[layer]; }
-
- private:
-  Levels sum_;
-  std::vector<Levels> levels_;
-};
-
-void layers(Input& in, const Scene& scene) {
-  const int count = 1 + in.choice(3);
-  std::vector<Polygon> polygons;
-  for (int i = 0; i < count; ++i) polygons.emplace_back(in, scene, 6);
-  const bool masks = in.choice(2) == 0;
-  // One grid beyond those that there are.
-  const auto grid = static_cast<MaskGrid>(4 + 4 * (in.choice(8) % 3));
-  const Enlargement enlargement(4, static_cast<int>(grid));
-  std::vector<std::vector<SubPoint>> enlarged;
-  std::vector<DepthPolygon> set;
-  std::size_t vertices = 0;
-  for (const Polygon& polygon : polygons) {
-    enlarged.push_back(polygon.vertices);
-    for (SubPoint& p : enlarged.back()) p = enlargement.place(p);
-    set.push_back({polygon.rule, polygon.vertices, polygon.lengths});
-    vertices += polygon.vertices.size();
-  }
-  std::vector<VisibleEntry> entries(vertices + polygons.size());
-  std::vector<MaskCell> cells(static_cast<std::size_t>(scene.window.width));
-  std::vector<PolygonEdge> edges(vertices);
-  const auto draw = [&](Layers& sink) {
-    if (!masks) return cover_front_to_back(sink, set, entries);
-    return cover_by_masks(sink, grid, count, cells, [&](int layer, MaskSink& parts) {
-      const auto i = static_cast<std::size_t>(layer);
-      return fill_polygon(parts, polygons[i].rule, enlarged[i], polygons[i].lengths, edges);
-    });
-  };
-  Layers whole(scene.window, count);
-  const Status status = draw(whole);
-  Layers part(scene.visible, count);
-  const Status status_of_part = draw(part);
-  if (!status.ok()) {
-    // The back layers of masks aren't drawn where the front ones cover all.
-    require(masks || status_of_part == status, "another status under a clip");
-    return;
-  }
-  require(status_of_part.ok(), "fails under a smaller clip");
-  for (std::size_t i = 0; i < polygons.size(); ++i)
-    for_pixels(scene.visible, [&](int x, int y) {
-      require(part.of(i).at(x, y) == whole.of(i).at(x, y), "another level under a clip");
-    });
-}
-
 }  // namespace
 
 void run(Input in) {
-  const int what = in.choice(9);
+  const int what = in.choice(8);
   const Scene scene(in, 32, 24);
   if (what == 0) return line(in, scene);
   if (what == 1) return pitteway(in, scene);
   if (what < 4) return samples(in, scene);
   if (what < 6) return by_places(in, scene);
-  if (what == 6) return layers(in, scene);
   area(in, scene);
 }
 

@@ -58,7 +58,7 @@ class PixelList {
   void span(int y, int begin, int end) {
     for (int x = begin; x < end; ++x) pixels.emplace_back(x, y);
   }
-  std::vector<std::pair<int, int>> pixels;  // NOLINT(misc-non-private-member-variables-in-classes)
+  std::vector<std::pair<int, int>> pixels;
 
  private:
   Rect clip_;

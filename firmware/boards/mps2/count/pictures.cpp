@@ -4,6 +4,7 @@
 #include <intaglio/image/blit.hpp>
 #include <intaglio/image/rotozoom.hpp>
 #include <intaglio/image/scale.hpp>
+#include <intaglio/image/three_shear.hpp>
 #include <intaglio/raster/flood.hpp>
 
 #include <firmware/boards/mps2/count/rig.hpp>
@@ -42,6 +43,18 @@ constexpr Row rows[] = {
        placement.pivot = {128 * 63, 128 * 63};
        placement.angle = number::Angle::from_steps(opaque(number::Angle::turn / 12));
        use(image::blit_rotozoom(pen.surface(), placement, checkers));
+     }},
+    {"blit 64x64 turned by 30, three shears",
+     [](const Pen& pen) {
+       image::ThreeShear placement;
+       placement.position = opaque(SubPoint{160 * 256, 120 * 256});
+       placement.pivot = {128 * 63, 128 * 63};
+       placement.angle = number::Angle::from_steps(opaque(number::Angle::turn / 12));
+       use(image::blit_three_shear(pen.surface(), placement, checkers));
+     }},
+    {"blit 64x64 through a mask",
+     [](const Pen& pen) {
+       use(image::blit(pen.surface(), opaque(Point{101, 77}), checkers, image::Masked(checkers)));
      }},
     {"flood 100x60",
      [](const Pen& pen) {

@@ -3,10 +3,13 @@
 // Counted: triangles, polygons, their coverage, and polygons clipped and combined.
 #include <intaglio/clip/boolean.hpp>
 #include <intaglio/clip/convex.hpp>
+#include <intaglio/clip/greiner_hormann.hpp>
 #include <intaglio/raster/convex.hpp>
 #include <intaglio/raster/coverage.hpp>
+#include <intaglio/raster/disc.hpp>
 #include <intaglio/raster/polygon.hpp>
 #include <intaglio/raster/polygon_basic.hpp>
+#include <intaglio/raster/polygon_clip.hpp>
 #include <intaglio/raster/polygon_critical.hpp>
 #include <intaglio/raster/triangle.hpp>
 #include <intaglio/raster/triangle_box.hpp>
@@ -53,6 +56,8 @@ constexpr Point below{100, 150};
 raster::PolygonEdge edges[128];
 raster::PolygonCrossing crossings[128];
 raster::PolygonChain chains[128];
+raster::RowSpan window_spans[256];
+clip::RingNode ring_nodes[128];
 raster::CoverageCell cells[raster::coverage_cells(100, 320)];
 clip::ClipStage stages[16];
 clip::BooleanPiece pieces[256];
@@ -96,6 +101,15 @@ struct Nowhere {
   }
 };
 
+// The pixels of the octagon.
+raster::PolygonClip octagon_window(const Pen& pen) {
+  constexpr int length = 8;
+  const auto made = raster::PolygonClip::over(FillRule::non_zero, octagon, std::span<const int>(&length, 1),
+                                              pen.clip(), edges, window_spans);
+  use(made.status());
+  return made.value();
+}
+
 constexpr Row rows[] = {
     {"triangle legs 50",
      [](const Pen& pen) { use(raster::fill_triangle(pen, opaque(corner), opaque(right), opaque(below))); }},
@@ -138,6 +152,23 @@ constexpr Row rows[] = {
     {"octagon, convex", [](const Pen& pen) { use(raster::fill_convex(pen, octagon)); }},
     {"octagon, coverage", [](const Pen& pen) { cover(pen, octagon); }, count_boundary},
     {"polygon of 100, coverage", [](const Pen& pen) { cover(pen, wheel); }, count_boundary},
+    {"clip to octagon, made",
+     [](const Pen& pen) { use(static_cast<std::uint32_t>(octagon_window(pen).spans().size())); }},
+    {"clip to octagon, made, and a disc",
+     [](const Pen& pen) {
+       const raster::PolygonClip window = octagon_window(pen);
+       use(raster::fill_disc(raster::PolygonClipped(pen, window), opaque(Point{170, 130}), opaque(50)));
+     }},
+    {"union of star and octagon, Greiner-Hormann",
+     [](const Pen&) {
+       constexpr int of_star = 5;
+       constexpr int of_octagon = 8;
+       int lengths[16];
+       const auto result = clip::combine_greiner_hormann(
+           clip::BooleanRule::join, {star, std::span<const int>(&of_star, 1)},
+           {octagon, std::span<const int>(&of_octagon, 1)}, combined, lengths, ring_nodes);
+       use(result.status());
+     }},
     {"clip star to octagon",
      [](const Pen&) {
        const auto result = clip::clip_to_convex(star, octagon, clipped, stages);

@@ -51,6 +51,7 @@ extern const std::span<const Row> line_rows;
 extern const std::span<const Row> curve_rows;
 extern const std::span<const Row> polygon_rows;
 extern const std::span<const Row> picture_rows;
+extern const std::span<const Row> smooth_rows;
 extern const std::span<const Pair> pairs;
 
 /// A value that the compiler knows nothing about.

@@ -180,8 +180,12 @@ std::int64_t VisibleScan::slab_end(std::int64_t begin, std::int64_t left) noexce
 void VisibleScan::add_slab(std::int64_t begin, std::int64_t end, std::int64_t left) noexcept {
   const std::int64_t right = left + pixel;
   const auto inside = [&](std::int64_t x) { return std::clamp(x, left, right); };
-  for (VisibleEntry& edge : active_)
-    edge.sum_or_area_ = inside(edge.x_) + inside(x_at(edge.top_, edge.bottom_, end));
+  // The slab ends where an edge comes in from beside the pixel. That height is rounded, and an edge of a
+  // large slope may then be well inside: in this slab it isn't.
+  const auto at_end = [&](const VisibleEntry& edge) {
+    return edge.x_ < left || edge.x_ > right ? edge.x_ : x_at(edge.top_, edge.bottom_, end);
+  };
+  for (VisibleEntry& edge : active_) edge.sum_or_area_ = inside(edge.x_) + inside(at_end(edge));
   for (std::size_t i = 1; i < active_.size(); ++i)
     for (std::size_t j = i; j > 0 && active_[j].sum_or_area_ < active_[j - 1].sum_or_area_; --j)
       std::swap(active_[j], active_[j - 1]);

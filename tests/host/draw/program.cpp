@@ -331,17 +331,22 @@ TEST(Draw, ClipRestrictsAndNoneResets) {
 
 TEST(Draw, ClippolyRestrictsEveryPrimitiveToThePolygon) {
   const oracle::Contours star{{{5120, 256}, {7936, 9216}, {512, 3584}, {9984, 3584}, {2304, 9216}}};
-  const std::string vertices = " 20 1 31 36 2 14 39 14 9 36\n";
   for (const std::string rule : {"", " evenodd", " nonzero"}) {
+    // What comes before the command, and the command behind it.
+    const auto clipped = [&](const char* before, const char* command) {
+      std::string program = before;
+      program.append("clippoly").append(rule).append(" 20 1 31 36 2 14 39 14 9 36\n").append(command);
+      return program;
+    };
     const auto in = [&](int x, int y) { return oracle::in_polygon(star, rule != " nonzero", x, y); };
-    expect_pixels("clippoly" + rule + vertices + "fillrect 0 0 50 40", in);
-    expect_pixels("clip 10 5 14 30\nclippoly" + rule + vertices + "fillrect 0 0 50 40",
+    expect_pixels(clipped("", "fillrect 0 0 50 40"), in);
+    expect_pixels(clipped("clip 10 5 14 30\n", "fillrect 0 0 50 40"),
                   [&](int x, int y) { return in(x, y) && x >= 10 && x < 24 && y >= 5 && y < 35; });
-    expect_pixels("clippoly" + rule + vertices + "line 2 3 45 37",
+    expect_pixels(clipped("", "line 2 3 45 37"),
                   [&](int x, int y) { return in(x, y) && oracle::on_line(2, 3, 45, 37, x, y); });
-    expect_pixels("clippoly" + rule + vertices + "circle 20 18 13",
+    expect_pixels(clipped("", "circle 20 18 13"),
                   [&](int x, int y) { return in(x, y) && oracle::on_circle(13, x - 20, y - 18); });
-    expect_pixels("clippoly" + rule + vertices + "flood 4 0 0", in);
+    expect_pixels(clipped("", "flood 4 0 0"), in);
   }
   const oracle::Contours two{{{256, 256}, {5120, 256}, {1963, 9216}},
                              {{7680, 0}, {12800, 128}, {12800, 5120}}};

@@ -15,11 +15,18 @@ namespace intaglio::number {
 
 /// What an error is counted in.
 enum class Unit : std::uint8_t {
-  lsb,      ///< The last place of the result itself (for integers: 1).
-  lsb_q15,  ///< 2^-15.
-  lsb_q16,  ///< 2^-16.
-  pixel,    ///< The distance of two pixels.
-  value,    ///< The true value itself: a relative error.
+  lsb,             ///< The last place of the result itself (for integers: 1).
+  lsb_q15,         ///< 2^-15.
+  lsb_q16,         ///< 2^-16.
+  pixel,           ///< The distance of two pixels.
+  value,           ///< The true value itself: a relative error.
+  ppm_of_value,    ///< A millionth of the true value.
+  wrong_pixel,     ///< A pixel that is drawn and shouldn't be, or the other way round.
+  wrong_ppm,       ///< Such a pixel among a million of the shape's.
+  coverage_level,  ///< 1/255 of full coverage.
+  palette_level,   ///< A step of a palette's ramp, or of 8 bits of a channel.
+  cie76,           ///< The distance of two colours in L*a*b*.
+  angle_step,      ///< 1/65536 turn.
 };
 
 /// |computed - true| <= thousandths / 1000 of the unit.
@@ -43,6 +50,13 @@ struct Bound {
 [[nodiscard]] constexpr Bound parts_of_value(std::int32_t thousandths) noexcept {
   return {thousandths, Unit::value};
 }
+
+[[nodiscard]] constexpr Bound ppm_of_value(std::int32_t thousandths) noexcept {
+  return {thousandths, Unit::ppm_of_value};
+}
+
+/// What never differs from the true value.
+[[nodiscard]] constexpr Bound exactly(Unit unit = Unit::lsb) noexcept { return {0, unit}; }
 
 /// A way of computing a value: callable without state, with its error bound.
 template <class R>

@@ -1,0 +1,215 @@
+# SPDX-License-Identifier: MIT
+"""Measures families: what a rung costs on a core, what it weighs, and how far off it is.
+
+The programs are built from firmware/lab and host/lab; what each measures is said there.
+"""
+import json
+import re
+import shutil
+import subprocess
+import tempfile
+from pathlib import Path
+
+from cores import CORES, ROOT
+
+COUNTED = ("instructions", "loads", "stores", "multiplies", "divides")
+HOST = ROOT / "build/host-release"
+
+
+class Failure(Exception):
+    """What went wrong, in words for the user."""
+
+
+class MissingTool(Failure):
+    """A program that isn't installed."""
+
+
+def run(*command, timeout=1800):
+    """What a command prints; a Failure if it fails."""
+    command = [str(part) for part in command]
+    if shutil.which(command[0]) is None:
+        raise MissingTool(f"{command[0]} isn't installed (packages in host/packages, firmware/packages, tests/packages)")
+    done = subprocess.run(command, cwd=ROOT, text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=timeout,
+                          check=False)
+    if done.returncode != 0:
+        raise Failure(f"{' '.join(command)} failed with exit code {done.returncode}:\n{done.stdout}{done.stderr}")
+    return done.stdout
+
+
+def build(cores):
+    """Builds the lab's programs for the desk and for these cores."""
+    if not (HOST / "build.ninja").exists():
+        run("cmake", "--preset", "host-release")
+    run("cmake", "--build", HOST, "--target", "lab")
+    for core in cores:
+        if core.machine:
+            compiler = core.tools + "g++"
+            if shutil.which(compiler) is None:
+                raise MissingTool(f"{compiler} isn't installed (packages in firmware/packages)")
+            run("tests/target/build_cross", core.name, "lab-count")
+
+
+def families(work):
+    """The families as their programs describe them, by name; `program` is the program."""
+    programs = sorted((HOST / "bin").glob("lab-errors-*"))
+    wanted = {path.stem for path in (ROOT / "firmware/lab/families").glob("*.hpp")}
+    programs = [program for program in programs if program.name.removeprefix("lab-errors-") in wanted]
+    found = {}
+    for program in programs:
+        family = json.loads(run(program, "list"))
+        family["program"] = program
+        found[family["name"]] = family
+    return found
+
+
+def slots(all_families):
+    """(family, load, rung) in the order in which they are counted; the rung None is the loop alone."""
+    by_file = sorted(all_families.values(), key=lambda family: family["program"].name)
+    for family in by_file:
+        for load in family["loads"]:
+            yield family["name"], load["name"], None
+            for rung in family["rungs"]:
+                yield family["name"], load["name"], rung["name"]
+
+
+def _count_in_qemu(core, folder):
+    image = core.build / "bin/lab-count"
+    symbols = run(core.tools + "nm", image)
+    mailbox = re.search(r"^([0-9a-f]+) . lab_mailbox$", symbols, re.MULTILINE)[1]
+    out = folder / "counts"
+    plugin = f"{HOST}/lib/lab_qemu_counter.so,mailbox=0x{mailbox},isa={core.isa},out={out}"
+    run(*core.machine, "-kernel", image, "-display", "none", "-monitor", "none", "-serial", "none", "-plugin", plugin)
+    lines = out.read_text().splitlines()
+    if lines[-1:] != ["done"]:
+        raise Failure(f"{core.name}: the image didn't come to its end")
+    return lines[:-1]
+
+
+def _count_in_callgrind(core, folder):
+    out = folder / "counts"
+    printed = run("valgrind", "-q", "--tool=callgrind", "--cache-sim=yes", f"--callgrind-out-file={out}",
+                  core.build / "bin/lab-count").split()
+    lines = []
+    for number in range(len(printed) // 2):
+        text = (folder / f"counts.{number + 1}").read_text()
+        instructions, loads, stores = re.search(r"^totals: (\d+) (\d+) (\d+)", text, re.MULTILINE).groups()
+        lines += [f"{instructions} {loads} {stores} 0 0", *printed[2 * number:2 * number + 2]]
+    return lines
+
+
+def count(core):
+    """What one core counts, a list of (counts, stack, digest) in the order of slots()."""
+    with tempfile.TemporaryDirectory() as name:
+        lines = (_count_in_qemu if core.machine else _count_in_callgrind)(core, Path(name))
+    return [([int(number) for number in lines[i].split()], int(lines[i + 1]), int(lines[i + 2]))
+            for i in range(0, len(lines), 3)]
+
+
+def kernels(core):
+    """Symbols of the counted loops, by (family's type, rung's name)."""
+    archive = core.build / "firmware/lab/libintaglio_lab.a"
+    mangled = re.findall(r"^[0-9a-f]+ [TtWw] (_ZN3lab6kernelI\S+)", run(core.tools + "nm", archive), re.MULTILINE)
+    names = run(core.tools + "c++filt", *mangled).splitlines()
+    found = {}
+    for symbol, name in zip(mangled, names):
+        family, rung = re.match(r"void lab::kernel<lab::(\w+), (.*)>\(", name).groups()
+        found[family, without_namespaces(rung)] = symbol
+    return found
+
+
+def without_namespaces(name):
+    """A C++ type's name as the programs print it."""
+    head, bracket, arguments = name.partition("<")
+    return head.rsplit("::", 1)[-1] + bracket + arguments
+
+
+def weigh(core, symbol):
+    """(bytes of code, bytes of constant tables) of what the linker keeps for a symbol."""
+    with tempfile.TemporaryDirectory() as name:
+        image = Path(name) / "image"
+        run(core.tools + "g++", *core.flags, "-nostdlib", "-static", "-Wl,--gc-sections", f"-Wl,-e,{symbol}",
+            "-Wl,--unresolved-symbols=ignore-all", "-Wl,--build-id=none", "-o", image,
+            core.build / "firmware/lab/libintaglio_lab.a", core.build / "firmware/libintaglio_core.a", "-lgcc")
+        sizes = run(core.tools + "size", "-A", image)
+    section = {line.split()[0]: int(line.split()[1]) for line in sizes.splitlines() if line.startswith(".")}
+    code = section.get(".text", 0)
+    tables = sum(section.get(name, 0) for name in (".rodata", ".srodata", ".data", ".sdata"))
+    return code, tables
+
+
+def type_of(family):
+    """The C++ type of a family: its file's name in another spelling."""
+    return "".join(word.capitalize() for word in family["program"].name.removeprefix("lab-errors-").split("_"))
+
+
+def costs(work, all_families, cores):
+    """By (family, load, rung, core): what is counted a unit, bytes, stack, digest. Fails if cores disagree on results."""
+    counted = work.do("counts", {
+        core.name: (("count", work.hash_of(core.build / "bin/lab-count")), lambda core=core: count(core))
+        for core in cores})
+    order = list(slots(all_families))
+    weights = _weights(work, all_families, cores)
+    table, digests = {}, {}
+    for core in cores:
+        if len(counted[core.name]) != len(order):
+            raise Failure(f"{core.name}: {len(counted[core.name])} counts for {len(order)} rungs and loads")
+        for (family, load, rung), (counts, stack, digest) in zip(order, counted[core.name]):
+            if rung is None:
+                loop, loop_stack = counts, stack
+                continue
+            if digests.setdefault((family, load, rung), digest) != digest:
+                raise Failure(f"{family}, {rung}: other results on {core.name} than on {cores[0].name} under '{load}'")
+            units = next(entry["units"] for entry in all_families[family]["loads"] if entry["name"] == load)
+            row = {name: (counted_one - of_loop) / units
+                   for name, counted_one, of_loop in zip(COUNTED, counts, loop)}
+            row["stack_bytes"] = max(0, stack - loop_stack)
+            row["code_bytes"], row["table_bytes"] = weights[core.name, family, rung]
+            row["loop_instructions"] = loop[0] / units
+            table[family, load, rung, core.name] = row
+    return table
+
+
+def _weights(work, all_families, cores):
+    pieces = {}
+    for core in cores:
+        archives = [core.build / "firmware/lab/libintaglio_lab.a", core.build / "firmware/libintaglio_core.a"]
+        key = [work.hash_of(path) for path in archives]
+        symbols = kernels(core)
+        for family in all_families.values():
+            for rung in ["Nothing", *(rung["name"] for rung in family["rungs"])]:
+                symbol = symbols.get((type_of(family), rung))
+                if symbol is None:
+                    raise Failure(f"{core.name}: no loop of {family['name']} calls {rung}")
+                pieces[core.name, family["name"], rung] = (
+                    ("weigh", *key, symbol), lambda core=core, symbol=symbol: weigh(core, symbol))
+    weighed = work.do("weights", pieces)
+    return {(core, family, rung): [max(0, own - loop) for own, loop in zip(bytes_of, weighed[core, family, "Nothing"])]
+            for (core, family, rung), bytes_of in weighed.items() if rung != "Nothing"}
+
+
+def errors(work, all_families, full):
+    """By (family, load, rung): worst, mean, worst_input, points, how."""
+    pieces = {}
+    for family in all_families.values():
+        for load in family["loads"]:
+            for rung in family["rungs"]:
+                command = [family["program"], "measure", rung["name"], load["name"], *(["--full"] if full else [])]
+                key = ("errors", work.hash_of(family["program"]), *map(str, command[1:]))
+                pieces[family["name"], load["name"], rung["name"]] = (
+                    key, lambda command=command: json.loads(run(*command)))
+    return work.do("errors", pieces)
+
+
+def replay(family, rung, load, worst_input):
+    """The error at one input."""
+    return float(run(family["program"], "replay", rung, load, worst_input))
+
+
+def compilers(cores):
+    """Which compilers made the counted code, one line each."""
+    tools = sorted({core.tools for core in cores})
+    return [run(tool + "g++", "--version").splitlines()[0] for tool in tools]
+
+
+def all_cores():
+    return list(CORES.values())

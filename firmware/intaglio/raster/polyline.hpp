@@ -46,7 +46,8 @@ namespace detail {
 class StrokeScan;
 }
 
-/// One edge in a stroke's workspace: 36 bytes. Its content is the business of `draw_polyline`.
+/// One edge in a stroke's workspace: 36 bytes on a 32-bit core. Its content is the business of
+/// `draw_polyline`.
 class StrokeEdge {
  private:
   friend class detail::WindingScan<StrokeEdge>;
@@ -72,9 +73,9 @@ class StrokeEdge {
   bool round_ = false;  // which of them it is
   int row_ = 0;
   int end_ = 0;
-  int next_ = 0;
+  StrokeEdge* next_ = nullptr;
 };
-static_assert(sizeof(StrokeEdge) == 36);
+static_assert(sizeof(void*) > 4 || sizeof(StrokeEdge) == 36);
 
 namespace detail {
 

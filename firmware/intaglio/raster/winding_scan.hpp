@@ -33,6 +33,9 @@ namespace intaglio::raster::detail {
 template <class Entry>
 class WindingScan {
  public:
+  WindingScan(const WindingScan&) = delete;
+  WindingScan& operator=(const WindingScan&) = delete;
+
   /// Edges that have visible rows.
   [[nodiscard]] std::uint32_t count() const noexcept { return count_; }
   /// Puts the next span in `span`; false if there is none.
@@ -41,6 +44,7 @@ class WindingScan {
  protected:
   WindingScan(int mask, const linear::Rect& clip, const std::span<Entry>& entries) noexcept
       : entries_(entries), clip_(clip), mask_(mask) {}
+  ~WindingScan() = default;
 
   [[nodiscard]] const linear::Rect& clip() const noexcept { return clip_; }
   [[nodiscard]] int mask() const noexcept { return mask_; }
@@ -52,7 +56,7 @@ class WindingScan {
     if (count_ < entries_.size()) {
       entry = &entries_[count_];
       entry->row_ = row;
-      entry->end_ = 2 * end + (upwards ? 1 : 0);
+      entry->end_ = 4 * end + (upwards ? 2 : 0);
     }
     ++count_;
     return entry;
@@ -60,37 +64,40 @@ class WindingScan {
   /// When all is taken in: puts the edges in order. Errors: workspace (too small: `needed()` entries).
   [[nodiscard, gnu::always_inline]] Status sort() noexcept {
     if (count_ > entries_.size()) return {Error::too_small, Argument::workspace, count_};
-    if (count_ > 0) waiting_ = sorted(0, static_cast<int>(count_));
+    if (count_ > 0) waiting_ = sorted(entries_.data(), count_);
     return {};
   }
 
  private:
-  static constexpr int none = -1;
+  // An entry's end_: the row after its last above two bits, of which the upper is set if it runs upwards.
+  [[nodiscard]] static constexpr int end_row(int end) noexcept { return end >> 2; }
+  [[nodiscard]] static constexpr int turn(int end) noexcept { return 1 - (end & 2); }
 
+  /// Goes along the active edges of a row.
+  struct Cursor {
+    Entry** link;  // leads to the next edge on the row
+    int x;         // of the edge before it, a row further down
+  };
+
+  [[nodiscard]] Cursor row_start() noexcept { return {&active_, INT32_MIN}; }
   void add_edge(const linear::SubPoint& from, const linear::SubPoint& to) noexcept;
-  [[nodiscard]] Entry& at(int index) noexcept { return entries_[static_cast<std::size_t>(index)]; }
-  [[nodiscard]] bool before(int a, int b) noexcept;
-  [[nodiscard]] int merged(int a, int b) noexcept;
-  [[nodiscard]] int sorted(int begin, int end) noexcept;
-  [[nodiscard, gnu::always_inline]] int pass_edge() noexcept;
-  int* insert(int index, int* link) noexcept;
+  [[nodiscard]] static bool before(const Entry& a, const Entry& b) noexcept;
+  [[nodiscard]] static Entry* merged(Entry* a, Entry* b) noexcept;
+  [[nodiscard]] static Entry* sorted(Entry* entries, std::uint32_t count) noexcept;
+  void pass_edge(Cursor& cursor, Entry& edge) noexcept;
+  void put_back(Entry& edge) noexcept;
+  static Entry** insert(Entry& edge, Entry** link) noexcept;
   [[nodiscard]] bool next_row() noexcept;
-  /// The link of the active list that leads to the entry after this one.
-  [[nodiscard]] int& link_after(int index) noexcept { return index == none ? active_ : at(index).next_; }
 
   std::span<Entry> entries_;
   linear::Rect clip_;
-  int mask_;            // of the winding: which of its bits mean inside
-  int waiting_ = none;  // sorted by first row, then x
-  int active_ = none;   // sorted by x: those before the cursor on row y_ + 1, the others on y_
-  int cursor_ = none;   // next of the active edges on this row
-  int stepped_ = none;  // the last of those before it that is still active
-  int stepped_x_ = 0;   // its x
-  int winding_ = 0;     // left of the cursor
+  int mask_;                  // of the winding: which of its bits mean inside
+  Entry* waiting_ = nullptr;  // sorted by first row, then x
+  Entry* active_ = nullptr;   // sorted by x: those before the cursor on row y_ + 1, the others on y_
+  Cursor cursor_ = row_start();
   int y_ = 0;
   std::uint32_t count_ = 0;
 };
-
 template <class Entry>
 void WindingScan<Entry>::add_contour(const linear::SubPoint* vertices, const linear::SubPoint* end) noexcept {
   // An edge is beside the window if no pixel centre inside is to its left (left of it) or right (right of
@@ -121,96 +128,100 @@ void WindingScan<Entry>::add_edge(const linear::SubPoint& from, const linear::Su
 }
 
 template <class Entry>
-bool WindingScan<Entry>::before(int a, int b) noexcept {
-  const Entry& first = at(a);
-  const Entry& second = at(b);
-  return first.row_ != second.row_ ? first.row_ < second.row_ : first.x() < second.x();
+bool WindingScan<Entry>::before(const Entry& a, const Entry& b) noexcept {
+  return a.row_ != b.row_ ? a.row_ < b.row_ : a.x() < b.x();
 }
 
 /// Merges two sorted lists.
 template <class Entry>
-int WindingScan<Entry>::merged(int a, int b) noexcept {
-  int head = none;
-  int* tail = &head;
-  while (a != none && b != none) {
-    int& lesser = before(b, a) ? b : a;
+Entry* WindingScan<Entry>::merged(Entry* a, Entry* b) noexcept {
+  Entry* head = nullptr;
+  Entry** tail = &head;
+  while (a != nullptr && b != nullptr) {
+    Entry*& lesser = before(*b, *a) ? b : a;
     *tail = lesser;
-    tail = &at(lesser).next_;
+    tail = &lesser->next_;
     lesser = *tail;
   }
-  *tail = a != none ? a : b;
+  *tail = a != nullptr ? a : b;
   return head;
 }
 
-/// The edges begin .. end-1 as a sorted list. The depth of the recursion is log2 of their number.
+/// So many entries as a sorted list. The depth of the recursion is log2 of their number.
 template <class Entry>
-int WindingScan<Entry>::sorted(int begin, int end) noexcept {
-  if (end - begin == 1) {
-    at(begin).next_ = none;
-    return begin;
+Entry* WindingScan<Entry>::sorted(Entry* entries, std::uint32_t count) noexcept {
+  if (count == 1) {
+    entries->next_ = nullptr;
+    return entries;
   }
-  const int middle = begin + (end - begin) / 2;
-  const int first = sorted(begin, middle);
-  return merged(first, sorted(middle, end));
+  const std::uint32_t half = count / 2;
+  Entry* const first = sorted(entries, half);
+  return merged(first, sorted(entries + half, count - half));
 }
 
 template <class Entry>
 bool WindingScan<Entry>::next(RowSpan& span) noexcept {
-  for (bool inside = false;;) {
-    int x = clip_.right();
-    if (cursor_ != none) {
-      x = pass_edge();
-      if (inside == ((winding_ & mask_) != 0)) continue;
-    } else if (inside) {
-      // The edge that ends this span is right of the window and not kept.
-      winding_ = 0;
-    } else {
+  Cursor cursor = cursor_;
+  for (;;) {
+    Entry* edge = *cursor.link;
+    if (edge == nullptr) {
       if (!next_row()) return false;
-      continue;
+      edge = active_;
+      cursor = row_start();
     }
-    inside = !inside;
-    if (inside) {
-      span.x_begin = std::max(x, clip_.x);
-    } else {
-      span.x_end = std::min(x, clip_.right());
-      if (span.x_begin >= span.x_end) continue;
-      span.y = y_;
+    // Nothing winds around what lies between two spans, so the first edge begins one.
+    const int x_begin = std::max(edge->x(), clip_.x);
+    int winding = turn(edge->end_);
+    pass_edge(cursor, *edge);
+    // The edge that ends it isn't kept if it is right of the window.
+    int x_end = clip_.right();
+    while ((edge = *cursor.link) != nullptr) {
+      const int x = edge->x();
+      winding += turn(edge->end_);
+      pass_edge(cursor, *edge);
+      if ((winding & mask_) == 0) {
+        x_end = std::min(x, x_end);
+        break;
+      }
+    }
+    if (x_begin < x_end) {
+      cursor_ = cursor;
+      span = {y_, x_begin, x_end};
       return true;
     }
   }
 }
 
-/// Goes past the edge at the cursor, which goes on to its next row, and says where that was.
+/// Goes past the edge at the cursor, which goes on to its next row.
 template <class Entry>
-inline int WindingScan<Entry>::pass_edge() noexcept {
-  const int index = cursor_;
-  Entry& edge = at(index);
-  const int x = edge.x();
-  winding_ += 1 - 2 * (edge.end_ & 1);
-  cursor_ = edge.next_;
-  const bool goes_on = edge.end_ >> 1 != y_ + 1;
-  if (goes_on) {
+[[gnu::always_inline]] inline void WindingScan<Entry>::pass_edge(Cursor& cursor, Entry& edge) noexcept {
+  const bool goes_on = end_row(edge.end_) != y_ + 1;
+  if (goes_on) [[likely]] {
     edge.next();
-    if (edge.x() >= stepped_x_) {
-      stepped_ = index;
-      stepped_x_ = edge.x();
-      return x;
+    if (edge.x() >= cursor.x) [[likely]] {
+      cursor.x = edge.x();
+      cursor.link = &edge.next_;
+      return;
     }
   }
-  // It ends here, or crossed others on its step.
-  link_after(stepped_) = cursor_;
-  if (goes_on) insert(index, &active_);
-  return x;
+  *cursor.link = edge.next_;
+  if (goes_on) put_back(edge);
 }
 
-/// Puts an entry in its place in the active list, which isn't before this link. The link behind it.
+/// Finds the place of an edge that crossed others on its step. Rare, and never inlined, so that the loop over
+/// the edges keeps its registers.
 template <class Entry>
-int* WindingScan<Entry>::insert(int index, int* link) noexcept {
-  Entry& edge = at(index);
+[[gnu::noinline]] void WindingScan<Entry>::put_back(Entry& edge) noexcept {
+  insert(edge, &active_);
+}
+
+/// Puts an edge in its place in the active list, which isn't before this link. The link behind it.
+template <class Entry>
+Entry** WindingScan<Entry>::insert(Entry& edge, Entry** link) noexcept {
   const int x = edge.x();
-  while (*link != none && at(*link).x() <= x) link = &at(*link).next_;
+  while (*link != nullptr && (*link)->x() <= x) link = &(*link)->next_;
   edge.next_ = *link;
-  *link = index;
+  *link = &edge;
   return &edge.next_;
 }
 
@@ -218,19 +229,15 @@ int* WindingScan<Entry>::insert(int index, int* link) noexcept {
 template <class Entry>
 bool WindingScan<Entry>::next_row() noexcept {
   ++y_;
-  if (active_ == none) {
-    if (waiting_ == none) return false;
-    y_ = at(waiting_).row_;
+  if (active_ == nullptr) {
+    if (waiting_ == nullptr) return false;
+    y_ = waiting_->row_;
   }
-  for (int* link = &active_; waiting_ != none && at(waiting_).row_ == y_;) {
-    const int first = waiting_;
-    waiting_ = at(first).next_;
+  for (Entry** link = &active_; waiting_ != nullptr && waiting_->row_ == y_;) {
+    Entry& first = *waiting_;
+    waiting_ = first.next_;
     link = insert(first, link);
   }
-  cursor_ = active_;
-  stepped_ = none;
-  stepped_x_ = INT32_MIN;
-  winding_ = 0;
   return true;
 }
 

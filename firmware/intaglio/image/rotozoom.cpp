@@ -28,13 +28,9 @@ std::int32_t per_target_pixel(number::Fixed<15> factor, number::Fixed<16> scale)
 }  // namespace
 
 Status check_rotozoom(const Rotozoom& placement, linear::Size source) noexcept {
-  if (!linear::in_domain(placement.position)) return {Error::out_of_domain, Argument::position};
-  if (!linear::in_domain(placement.pivot)) return {Error::out_of_domain, Argument::point};
   if (placement.scale < least_rotozoom_scale || placement.scale > largest_rotozoom_scale)
     return {Error::out_of_range, Argument::size};
-  if (source.width > rotozoom_side_limit || source.height > rotozoom_side_limit)
-    return {Error::too_large, Argument::source, rotozoom_side_limit};
-  return {};
+  return check_turned(placement.position, placement.pivot, source);
 }
 
 RotozoomMap::RotozoomMap(const Rotozoom& placement, linear::Size source) noexcept

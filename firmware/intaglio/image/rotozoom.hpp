@@ -27,8 +27,7 @@
 // 2^16 columns, whose last step leaves 32 bits (unsigned, and not read any more).
 #pragma once
 
-#include <intaglio/image/blit.hpp>
-#include <intaglio/image/overlap.hpp>
+#include <intaglio/image/lookup.hpp>
 #include <intaglio/image/surface.hpp>
 #include <intaglio/linear/point.hpp>
 #include <intaglio/linear/rect.hpp>
@@ -53,10 +52,9 @@ struct Rotozoom {
   number::Fixed<16> scale = number::Fixed<16>::from_int(1);
 };
 
-/// Smallest and largest scale, and the longest side of a source that `blit_rotozoom` takes.
+/// Smallest and largest scale that `blit_rotozoom` takes.
 inline constexpr number::Fixed<16> least_rotozoom_scale = number::Fixed<16>::from_raw(1 << 8);
 inline constexpr number::Fixed<16> largest_rotozoom_scale = number::Fixed<16>::from_raw(1 << 24);
-inline constexpr int rotozoom_side_limit = 1 << 16;
 
 namespace detail {
 
@@ -72,7 +70,7 @@ struct RotozoomRun {
 /// The inverse map, row by row.
 class RotozoomMap {
  public:
-  /// Precondition: `placement` passed `check_rotozoom`, 1 <= sides of the source <= rotozoom_side_limit.
+  /// Precondition: `placement` passed `check_rotozoom`, 1 <= sides of the source <= turned_side_limit.
   RotozoomMap(const Rotozoom& placement, linear::Size source) noexcept;
 
   /// The run of the target's pixels (left, y) .. (left + width - 1, y) that show the source.
@@ -106,27 +104,17 @@ requires(Rule::template converts<F, G>) Status
                   const Rule& rule = {}, const linear::Rect& clip = everywhere)
 noexcept {
   if (const Status status = detail::check_rotozoom(placement, source.size()); !status.ok()) return status;
-  if (!linear::in_domain(clip)) return {Error::out_of_domain, Argument::rectangle};
-  if (const Status status = detail::check_rule<F>(rule, source); !status.ok()) return status;
-  const linear::Rect part = linear::intersect(target.bounds(), clip);
-  if (part.empty() || source.empty()) return {};
-  // By value, as the rule below: writing a pixel can't change them then.
-  const Picture<G> picture = source;
-  const Surface<F> surface = target;
-  const Rule shown = rule;
-  if (detail::bytes_meet(surface, part, picture)) return {Error::mismatched, Argument::source};
-  if (detail::meets_mask(shown, surface, part)) return {Error::mismatched, Argument::mask};
-
-  const detail::RotozoomMap map(placement, picture.size());
-  const std::uint32_t column_step = map.column_step();
-  const std::uint32_t row_step = map.row_step();
-  for (int y = part.y; y < part.bottom(); ++y) {
-    detail::RotozoomRun run = map.run(part.x, y, part.width);
-    for (; run.first < run.last; ++run.first, run.column += column_step, run.row += row_step)
-      detail::show_pixel(surface, part.x + run.first, y, picture, static_cast<int>(run.column >> 16U),
-                         static_cast<int>(run.row >> 16U), shown);
-  }
-  return {};
+  const auto show_part = [&](const linear::Rect& part, const auto show) {
+    const detail::RotozoomMap map(placement, source.size());
+    const std::uint32_t column_step = map.column_step();
+    const std::uint32_t row_step = map.row_step();
+    for (int y = part.y; y < part.bottom(); ++y) {
+      detail::RotozoomRun run = map.run(part.x, y, part.width);
+      for (; run.first < run.last; ++run.first, run.column += column_step, run.row += row_step)
+        show(part.x + run.first, y, static_cast<int>(run.column >> 16U), static_cast<int>(run.row >> 16U));
+    }
+  };
+  return detail::blit_by_lookup(target, target.bounds(), source, rule, clip, show_part);
 }
 
 }  // namespace intaglio::image

@@ -17,8 +17,7 @@
 // Worst known input: 1x1 stretched to 2^21 x 2^21 around a small window.
 #pragma once
 
-#include <intaglio/image/blit.hpp>
-#include <intaglio/image/overlap.hpp>
+#include <intaglio/image/lookup.hpp>
 #include <intaglio/image/surface.hpp>
 #include <intaglio/linear/rect.hpp>
 #include <intaglio/number/long_division.hpp>
@@ -78,26 +77,15 @@ noexcept {
   if (!linear::in_domain(linear::Point{destination.x, destination.y}))
     return {Error::out_of_domain, Argument::position};
   if (!linear::in_domain(destination)) return {Error::out_of_domain, Argument::size};
-  if (!linear::in_domain(clip)) return {Error::out_of_domain, Argument::rectangle};
-  if (const Status status = detail::check_rule<F>(rule, source); !status.ok()) return status;
-  const linear::Rect part = linear::intersect(linear::intersect(destination, target.bounds()), clip);
-  if (part.empty() || source.empty()) return {};
-  // By value, as the rule below: writing a pixel can't change them then.
-  const Picture<G> picture = source;
-  const Surface<F> surface = target;
-  const Rule shown = rule;
-  if (detail::bytes_meet(surface, part, picture)) return {Error::mismatched, Argument::source};
-  if (detail::meets_mask(shown, surface, part)) return {Error::mismatched, Argument::mask};
-
-  const linear::Size from = picture.size();
-  const auto first_column = detail::ScaleStep::at(part.x - destination.x, from.width, destination.width);
-  auto row = detail::ScaleStep::at(part.y - destination.y, from.height, destination.height);
-  for (int y = part.y; y < part.bottom(); ++y, row.advance()) {
-    auto column = first_column;
-    for (int x = part.x; x < part.right(); ++x, column.advance())
-      detail::show_pixel(surface, x, y, picture, column.index(), row.index(), shown);
-  }
-  return {};
+  const auto show_part = [to = destination, from = source.size()](const linear::Rect& part, const auto show) {
+    const auto first_column = detail::ScaleStep::at(part.x - to.x, from.width, to.width);
+    auto row = detail::ScaleStep::at(part.y - to.y, from.height, to.height);
+    for (int y = part.y; y < part.bottom(); ++y, row.advance()) {
+      auto column = first_column;
+      for (int x = part.x; x < part.right(); ++x, column.advance()) show(x, y, column.index(), row.index());
+    }
+  };
+  return detail::blit_by_lookup(target, destination, source, rule, clip, show_part);
 }
 
 }  // namespace intaglio::image

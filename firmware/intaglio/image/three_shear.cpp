@@ -28,14 +28,6 @@ Quotient divide(std::int64_t n, std::int32_t d) noexcept {
 
 }  // namespace
 
-Status check_three_shear(const ThreeShear& placement, linear::Size source) noexcept {
-  if (!linear::in_domain(placement.position)) return {Error::out_of_domain, Argument::position};
-  if (!linear::in_domain(placement.pivot)) return {Error::out_of_domain, Argument::point};
-  if (source.width > three_shear_side_limit || source.height > three_shear_side_limit)
-    return {Error::too_large, Argument::source, three_shear_side_limit};
-  return {};
-}
-
 ThreeShearMap::ThreeShearMap(const ThreeShear& placement, linear::Size source) noexcept
     : position_(placement.position), pivot_(placement.pivot), size_(source), origin_{0, 0}, along_{1, 0} {
   // A quarter turn takes the source's pixel (x, y) to column height-1-y, row x.

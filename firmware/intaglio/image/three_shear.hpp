@@ -34,8 +34,7 @@
 // where the quarter turns change; angles whose sine is a few 2^-15.
 #pragma once
 
-#include <intaglio/image/blit.hpp>
-#include <intaglio/image/overlap.hpp>
+#include <intaglio/image/lookup.hpp>
 #include <intaglio/image/surface.hpp>
 #include <intaglio/linear/point.hpp>
 #include <intaglio/linear/rect.hpp>
@@ -56,9 +55,6 @@ struct ThreeShear {
   /// Clockwise on the screen.
   number::Angle angle{};
 };
-
-/// The longest side of a source that `blit_three_shear` takes.
-inline constexpr int three_shear_side_limit = 1 << 16;
 
 namespace detail {
 
@@ -97,8 +93,7 @@ class ThreeShearRow {
 /// The inverse map.
 class ThreeShearMap {
  public:
-  /// Precondition: `placement` passed `check_three_shear`, 1 <= sides of the source <=
-  /// three_shear_side_limit.
+  /// Precondition: `placement` passed `check_turned`, 1 <= sides of the source <= turned_side_limit.
   ThreeShearMap(const ThreeShear& placement, linear::Size source) noexcept;
 
   /// The way along the target's pixels (left, y) .. (left + width - 1, y).
@@ -128,8 +123,6 @@ class ThreeShearMap {
   int most_shift_;
 };
 
-[[nodiscard]] Status check_three_shear(const ThreeShear& placement, linear::Size source) noexcept;
-
 }  // namespace detail
 
 /// Shows `source` on `target` by the rule at the head of this file; pixels outside the target's bounds or
@@ -142,28 +135,20 @@ requires(Rule::template converts<F, G>) Status
     blit_three_shear(const Surface<F>& target, const ThreeShear& placement, const PixelView<G, Byte>& source,
                      const Rule& rule = {}, const linear::Rect& clip = everywhere)
 noexcept {
-  if (const Status status = detail::check_three_shear(placement, source.size()); !status.ok()) return status;
-  if (!linear::in_domain(clip)) return {Error::out_of_domain, Argument::rectangle};
-  if (const Status status = detail::check_rule<F>(rule, source); !status.ok()) return status;
-  const linear::Rect part = linear::intersect(target.bounds(), clip);
-  if (part.empty() || source.empty()) return {};
-  // By value, as the rule below: writing a pixel can't change them then.
-  const Picture<G> picture = source;
-  const Surface<F> surface = target;
-  const Rule shown = rule;
-  if (detail::bytes_meet(surface, part, picture)) return {Error::mismatched, Argument::source};
-  if (detail::meets_mask(shown, surface, part)) return {Error::mismatched, Argument::mask};
-
-  const detail::ThreeShearMap map(placement, picture.size());
-  for (int y = part.y; y < part.bottom(); ++y) {
-    detail::ThreeShearRow way = map.row(part.x, y, part.width);
-    for (; way.first < way.last; ++way.first, way.advance()) {
-      if (!map.has_column(way.column())) continue;
-      const linear::Point from = map.unturned(way.column(), way.row());
-      detail::show_pixel(surface, part.x + way.first, y, picture, from.x, from.y, shown);
+  const Status status = detail::check_turned(placement.position, placement.pivot, source.size());
+  if (!status.ok()) return status;
+  const auto show_part = [&](const linear::Rect& part, const auto show) {
+    const detail::ThreeShearMap map(placement, source.size());
+    for (int y = part.y; y < part.bottom(); ++y) {
+      detail::ThreeShearRow way = map.row(part.x, y, part.width);
+      for (; way.first < way.last; ++way.first, way.advance()) {
+        if (!map.has_column(way.column())) continue;
+        const linear::Point from = map.unturned(way.column(), way.row());
+        show(part.x + way.first, y, from.x, from.y);
+      }
     }
-  }
-  return {};
+  };
+  return detail::blit_by_lookup(target, target.bounds(), source, rule, clip, show_part);
 }
 
 }  // namespace intaglio::image

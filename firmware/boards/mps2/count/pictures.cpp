@@ -54,7 +54,7 @@ constexpr Row rows[] = {
      }},
     {"blit 64x64 through a mask",
      [](const Pen& pen) {
-       use(image::blit(pen.surface(), opaque(Point{101, 77}), checkers, image::Masked(checkers)));
+       use(image::blit(pen.surface(), opaque(Point{101, 77}), checkers, image::Masked{checkers}));
      }},
     {"flood 100x60",
      [](const Pen& pen) {

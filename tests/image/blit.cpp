@@ -4,7 +4,6 @@
 #include <tests/image/pictures.hpp>
 #include <tests/image/rules.hpp>
 
-#include <array>
 #include <limits>
 #include <optional>
 #include <tuple>
@@ -15,15 +14,10 @@ using intaglio::Argument;
 using intaglio::Error;
 using intaglio::Status;
 using intaglio::image::blit;
-using intaglio::image::ColourKey;
-using intaglio::image::Everything;
-using intaglio::image::Indexed1;
 using intaglio::image::Indexed4;
 using intaglio::image::Indexed4Lsb;
 using intaglio::image::Indexed8;
-using intaglio::image::KeyedRemap;
 using intaglio::image::Picture;
-using intaglio::image::Remap;
 using intaglio::image::Surface;
 using intaglio::linear::Point;
 using intaglio::linear::Rect;
@@ -53,21 +47,24 @@ Job random_job(oracle::Random& random) {
 }
 
 /// Paints the expected picture: the source is read first, then every pixel that is inside everything is
-/// written.
-void expect_blit(Packed& target, const Packed& source, const Job& job, const IndexMap& map) {
+/// written. Answers how many are.
+int expect_blit(Packed& target, const Packed& source, const Job& job, const IndexMap& map) {
   std::vector<unsigned> read;
   for (int y = 0; y < job.source.height; ++y)
     for (int x = 0; x < job.source.width; ++x) read.push_back(source.get(job.source.x + x, job.source.y + y));
   std::size_t next = 0;
+  int shown = 0;
   for (int y = 0; y < job.source.height; ++y)
     for (int x = 0; x < job.source.width; ++x) {
       const std::optional<unsigned> index = map(read[next++]);
       const int column = job.position.x + x;
       const int row = job.position.y + y;
       const bool on_target = tests::inside({0, 0, job.target.width, job.target.height}, column, row);
-      if (index && on_target && tests::inside(job.clip, column, row))
-        target.set(job.target.x + column, job.target.y + row, *index);
+      if (!index || !on_target || !tests::inside(job.clip, column, row)) continue;
+      target.set(job.target.x + column, job.target.y + row, *index);
+      ++shown;
     }
+  return shown;
 }
 
 std::string text(const Job& job) {
@@ -82,20 +79,17 @@ using Draw = std::function<Status(Packed& to, Packed& from, const Job& job)>;
 /// One random job by one rule between two memories, and within one if the formats are the same.
 void check(oracle::Random& random, Layout target, Layout source, const IndexMap& map, const Draw& draw) {
   const Job job = random_job(random);
-  Packed to = tests::packed_rows(target, width, height, random.between(0, 3));
-  Packed from = tests::packed_rows(source, width, height, random.between(0, 3));
-  to.randomize(random);
-  from.randomize(random);
-  Packed expected = to;
-  expect_blit(expected, from, job, map);
-  ASSERT_TRUE(draw(to, from, job).ok());
-  ASSERT_EQ(to.bytes(), expected.bytes()) << text(job) << ", " << random.seed_text();
-  if (target == source) {
-    Packed expected_both = to;
-    expect_blit(expected_both, expected_both, job, map);
-    ASSERT_TRUE(draw(to, to, job).ok());
-    ASSERT_EQ(to.bytes(), expected_both.bytes()) << "overlap, " << text(job) << ", " << random.seed_text();
-  }
+  const Packed target_memory = tests::packed_rows(target, width, height, random.between(0, 3));
+  const Packed source_memory = tests::packed_rows(source, width, height, random.between(0, 3));
+  tests::check_drawing(
+      random, target_memory, source_memory, text(job),
+      [&](Packed& expected, const Packed& from) { return expect_blit(expected, from, job, map); },
+      [&](Packed& memory, Packed& from) { return draw(memory, from, job); });
+  if (target == source)
+    tests::check_drawing(
+        random, target_memory, Packed(8, true, 0, 0), "overlap, " + text(job),
+        [&](Packed& expected, const Packed&) { return expect_blit(expected, expected, job, map); },
+        [&](Packed& memory, Packed&) { return draw(memory, memory, job); });
 }
 
 template <class F>
@@ -106,7 +100,7 @@ TYPED_TEST(Blit, FromEveryFormatByEveryRuleEqualsReadingFirstAndWritingThen) {
   oracle::Random random(4001);
   tests::for_all_sources<TypeParam>(tests::AllFormats{}, [&]<class F, class G>() {
     const int jobs = std::is_same_v<F, G> ? 3000 : 400;
-    for (int i = 0; i < jobs && !testing::Test::HasFatalFailure(); ++i)
+    for (int i = 0; i < jobs && !testing::Test::HasFailure(); ++i)
       tests::try_all_rules<F, G>(random, [&](const auto& rule, const IndexMap& map) {
         check(random, tests::layout_of<F>, tests::layout_of<G>, map,
               [&rule](Packed& to, Packed& from, const Job& job) {
@@ -134,20 +128,6 @@ TYPED_TEST(Blit, AFrameScrollsOverItselfInEveryDirection) {
     }
 }
 
-TYPED_TEST(Blit, BandsOfTheTargetGiveTheWholePicture) {
-  oracle::Random random(42);
-  Packed from = tests::packed_rows<TypeParam>(width, height);
-  from.randomize(random);
-  const Picture<TypeParam> source = tests::surface_over<TypeParam>(from, width, height);
-  for (int dx = -5; dx <= 5; ++dx) {
-    Packed whole = tests::packed_rows<TypeParam>(width, height);
-    ASSERT_TRUE(blit(tests::surface_over<TypeParam>(whole, width, height), {dx, 1}, source).ok());
-    tests::expect_bands_give<TypeParam>(whole, width, height, [&](const Surface<TypeParam>& band) {
-      return blit(band, {dx, 1}, source);
-    });
-  }
-}
-
 TYPED_TEST(Blit, ABandAsSourceLandsWithItsCorner) {
   oracle::Random random(43);
   Packed from = tests::packed_rows<TypeParam>(9, 3);
@@ -162,7 +142,7 @@ TYPED_TEST(Blit, ABandAsSourceLandsWithItsCorner) {
   EXPECT_EQ(to.bytes(), expected.bytes());
 }
 
-TEST(BlitArguments, BadOnesAreNamedAndNothingIsDrawn) {
+TEST(BlitArguments, PositionsOutsideTheDomainAreRefused) {
   constexpr int limit = 1 << 20;
   constexpr int int_min = std::numeric_limits<int>::min();
   constexpr int int_max = std::numeric_limits<int>::max();
@@ -177,34 +157,10 @@ TEST(BlitArguments, BadOnesAreNamedAndNothingIsDrawn) {
 
   for (const Point position : {Point{limit + 1, 0}, Point{0, -limit - 1}, Point{int_min, int_max}})
     EXPECT_EQ(blit(target, position, source), (Status{Error::out_of_domain, Argument::position}));
-  for (const Rect& clip : {Rect{limit + 1, 0, 1, 1}, Rect{0, 0, int_max, 1}, Rect{0, 0, 1, int_min}})
-    EXPECT_EQ(blit(target, {0, 0}, source, Everything{}, clip),
-              (Status{Error::out_of_domain, Argument::rectangle}));
-  EXPECT_EQ(blit(target, {0, 0}, source, ColourKey{16}), (Status{Error::out_of_range, Argument::colour, 15}));
-
-  std::array<std::uint8_t, 16> table{};
-  const auto short_table = std::span<const std::uint8_t>(table).first(15);
-  EXPECT_EQ(blit(target, {0, 0}, source, Remap{short_table}),
-            (Status{Error::too_small, Argument::table, 16}));
-  EXPECT_EQ(blit(target, {0, 0}, source, KeyedRemap{1, short_table}),
-            (Status{Error::too_small, Argument::table, 16}));
-  EXPECT_EQ(blit(target, {0, 0}, source, KeyedRemap{16, table}),
-            (Status{Error::out_of_range, Argument::colour, 15}));
-  table[15] = 16;
-  EXPECT_EQ(blit(target, {0, 0}, source, Remap{table}), (Status{Error::out_of_range, Argument::table, 15}));
   EXPECT_EQ(to.bytes(), before.bytes());
 }
 
-TEST(BlitArguments, TheTableOfADeeperSourceNeedsAllItsIndices) {
-  Packed to = tests::packed_rows<Indexed1>(width, height);
-  Packed from = tests::packed_rows<Indexed8>(width, height);
-  const std::array<std::uint8_t, 255> table{};
-  EXPECT_EQ(blit(tests::surface_over<Indexed1>(to, width, height), {0, 0},
-                 tests::surface_over<Indexed8>(from, width, height), Remap{table}),
-            (Status{Error::too_small, Argument::table, 256}));
-}
-
-TEST(BlitArguments, EmptyViewsAndPositionsOutsideDrawNothing) {
+TEST(BlitArguments, PositionsOutsideTheTargetDrawNothing) {
   constexpr int limit = 1 << 20;
   oracle::Random random(45);
   Packed to = tests::packed_rows<Indexed8>(width, height);
@@ -213,12 +169,9 @@ TEST(BlitArguments, EmptyViewsAndPositionsOutsideDrawNothing) {
   const Packed before = to;
   const auto target = tests::surface_over<Indexed8>(to, width, height);
   const auto source = tests::surface_over<Indexed8>(from, width, height);
-  EXPECT_TRUE(blit(target, {0, 0}, Picture<Indexed8>{}).ok());
-  EXPECT_TRUE(blit(Surface<Indexed8>{}, {0, 0}, source).ok());
   for (const Point position : {Point{width, 0}, Point{-width, 0}, Point{0, height}, Point{0, -height},
                                Point{limit, limit}, Point{-limit, -limit}})
     EXPECT_TRUE(blit(target, position, source).ok());
-  EXPECT_TRUE(blit(target, {0, 0}, source, Everything{}, {3, 3, 0, 5}).ok());
   EXPECT_EQ(to.bytes(), before.bytes());
 }
 

@@ -11,8 +11,8 @@
 
 namespace tests {
 
-/// Calls `use(draw)` for each of the blits, where `draw(target, source, rule)` is one with a place that suits
-/// pictures of these sizes.
+/// Calls `use(draw)` for each of the blits, where `draw(target, source, rule, clip)` is one with a place that
+/// suits pictures of these sizes.
 template <class Use>
 void with_each_blit(oracle::Random& random, intaglio::linear::Size target_size,
                     intaglio::linear::Size source_size, Use use) {
@@ -24,17 +24,17 @@ void with_each_blit(oracle::Random& random, intaglio::linear::Size target_size,
   const linear::SubPoint pivot{128 * (source_size.width - 1), 128 * (source_size.height - 1)};
   const linear::Point corner{random.between(-9, target_size.width), random.between(-9, target_size.height)};
   const linear::Rect stretched{corner.x, corner.y, random.between(1, 60), random.between(1, 60)};
-  use([=](const auto& target, const auto& source, const auto& rule) {
-    return image::blit(target, corner, source, rule);
+  use([=](const auto& target, const auto& source, const auto&... rule_and_clip) {
+    return image::blit(target, corner, source, rule_and_clip...);
   });
-  use([=](const auto& target, const auto& source, const auto& rule) {
-    return image::blit_scaled(target, stretched, source, rule);
+  use([=](const auto& target, const auto& source, const auto&... rule_and_clip) {
+    return image::blit_scaled(target, stretched, source, rule_and_clip...);
   });
-  use([=](const auto& target, const auto& source, const auto& rule) {
-    return image::blit_rotozoom(target, {position, pivot, angle, scale}, source, rule);
+  use([=](const auto& target, const auto& source, const auto&... rule_and_clip) {
+    return image::blit_rotozoom(target, {position, pivot, angle, scale}, source, rule_and_clip...);
   });
-  use([=](const auto& target, const auto& source, const auto& rule) {
-    return image::blit_three_shear(target, {position, pivot, angle}, source, rule);
+  use([=](const auto& target, const auto& source, const auto&... rule_and_clip) {
+    return image::blit_three_shear(target, {position, pivot, angle}, source, rule_and_clip...);
   });
 }
 

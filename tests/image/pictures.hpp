@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <string>
 
@@ -33,6 +34,21 @@ inline intaglio::linear::Rect random_part(oracle::Random& random, int width, int
 inline intaglio::linear::Rect random_clip(oracle::Random& random) {
   if (random.between(0, 1) == 0) return intaglio::image::everywhere;
   return {random.between(-5, 20), random.between(-3, 5), random.between(-1, 30), random.between(-1, 15)};
+}
+
+/// Draws between memories of random bytes and compares with what is expected. `expect(expected, from)` paints
+/// that on a copy of the target and says how many pixels show anything, which is the answer.
+inline int check_drawing(oracle::Random& random, oracle::Packed to, oracle::Packed from,
+                         const std::string& what,
+                         const std::function<int(oracle::Packed&, const oracle::Packed&)>& expect,
+                         const std::function<intaglio::Status(oracle::Packed&, oracle::Packed&)>& draw) {
+  to.randomize(random);
+  from.randomize(random);
+  oracle::Packed expected = to;
+  const int shown = expect(expected, from);
+  EXPECT_TRUE(draw(to, from).ok()) << what;
+  EXPECT_EQ(to.bytes(), expected.bytes()) << what << ", " << random.seed_text();
+  return shown;
 }
 
 /// `draw(surface)` on bands of every height, in memory of zeros, gives the picture `whole`.

@@ -76,17 +76,29 @@ class EdgeTriple {
   std::array<EdgeFunction<Int>, 3> edges_;
 };
 
+/// Pixels begin .. end-1 of a row.
+struct TriangleRun {
+  int begin = 0;
+  int end = 0;
+};
+
+/// Those of begin .. end-1 that belong to the triangle; `pixel` is the first of them.
+template <class Int>
+[[nodiscard]] TriangleRun run_inside(EdgeTriple<Int> pixel, int begin, int end) noexcept {
+  int x = begin;
+  for (; x < end && !pixel.inside(); ++x) pixel.right(1);
+  begin = x;
+  for (; x < end && pixel.inside(); ++x) pixel.right(1);
+  return {begin, x};
+}
+
 template <class Int, SpanSink S>
 void triangle_by_pixels(S& sink, const TriangleBox& triangle) {
   const linear::Rect& box = triangle.box;
   EdgeTriple<Int> row(triangle.edges);
   for (int y = box.y; y < box.bottom(); ++y, row.down(1)) {
-    EdgeTriple<Int> pixel = row;
-    int x = box.x;
-    for (; x < box.right() && !pixel.inside(); ++x) pixel.right(1);
-    const int begin = x;
-    for (; x < box.right() && pixel.inside(); ++x) pixel.right(1);
-    if (begin < x) sink.span(y, begin, x);
+    const TriangleRun run = run_inside(row, box.x, box.right());
+    if (run.begin < run.end) sink.span(y, run.begin, run.end);
   }
 }
 
@@ -97,11 +109,7 @@ void triangle_by_blocks(S& sink, const TriangleBox& triangle) {
   EdgeTriple<Int> row(triangle.edges);
   for (int y = box.y; y < box.bottom(); y += side, row.down(side)) {
     // A row's pixels lie side by side, so one span grows over the blocks in each.
-    struct Span {
-      int begin = 0;
-      int end = 0;
-    };
-    std::array<Span, side> spans{};
+    std::array<TriangleRun, side> spans{};
     const int rows = std::min(side, box.bottom() - y);
     EdgeTriple<Int> block = row;
     for (int x = box.x; x < box.right(); x += side, block.right(side)) {
@@ -110,24 +118,31 @@ void triangle_by_blocks(S& sink, const TriangleBox& triangle) {
       const int x_end = std::min(x + side, box.right());
       EdgeTriple<Int> first = block;
       for (int i = 0; i < rows; ++i, first.down(1)) {
-        Span& span = spans[static_cast<std::size_t>(i)];
-        int begin = x;
-        int end = x_end;
-        if (kind == 0) {
-          EdgeTriple<Int> pixel = first;
-          for (; begin < x_end && !pixel.inside(); ++begin) pixel.right(1);
-          for (end = begin; end < x_end && pixel.inside(); ++end) pixel.right(1);
-        }
-        if (begin == end) continue;
-        if (span.begin == span.end) span.begin = begin;
-        span.end = end;
+        const TriangleRun run = kind == 0 ? run_inside(first, x, x_end) : TriangleRun{x, x_end};
+        if (run.begin == run.end) continue;
+        TriangleRun& span = spans[static_cast<std::size_t>(i)];
+        if (span.begin == span.end) span.begin = run.begin;
+        span.end = run.end;
       }
     }
     for (int i = 0; i < rows; ++i) {
-      const Span& span = spans[static_cast<std::size_t>(i)];
+      const TriangleRun& span = spans[static_cast<std::size_t>(i)];
       if (span.begin < span.end) sink.span(y + i, span.begin, span.end);
     }
   }
+}
+
+/// Calls fill.operator()<Int>(triangle) with a type that holds the edge functions. Errors: as
+/// `fill_triangle`.
+template <class Fill>
+Status fill_in_box(const std::array<linear::SubPoint, 3>& vertices, const linear::Rect& clip, Fill fill) {
+  TriangleBox triangle;
+  const Status status = triangle_box(vertices, clip, triangle);
+  if (triangle.narrow)
+    fill.template operator()<std::int32_t>(triangle);
+  else
+    fill.template operator()<std::int64_t>(triangle);
+  return status;
 }
 
 }  // namespace detail
@@ -137,26 +152,18 @@ void triangle_by_blocks(S& sink, const TriangleBox& triangle) {
 /// Cost: about 8 instructions for each visible pixel of the bounding box up to the triangle's right edge.
 template <SpanSink S>
 Status fill_triangle_box(S&& sink, linear::SubPoint a, linear::SubPoint b, linear::SubPoint c) {
-  detail::TriangleBox triangle;
-  const Status status = detail::triangle_box({a, b, c}, sink.clip(), triangle);
-  if (triangle.narrow)
-    detail::triangle_by_pixels<std::int32_t>(sink, triangle);
-  else
-    detail::triangle_by_pixels<std::int64_t>(sink, triangle);
-  return status;
+  return detail::fill_in_box({a, b, c}, sink.clip(), [&]<class Int>(const detail::TriangleBox& triangle) {
+    detail::triangle_by_pixels<Int>(sink, triangle);
+  });
 }
 
 /// The same by blocks of 8x8 pixels. Cost: about 40 instructions a block of the visible bounding box, and
 /// about 8 a pixel of the blocks that an edge crosses.
 template <SpanSink S>
 Status fill_triangle_blocks(S&& sink, linear::SubPoint a, linear::SubPoint b, linear::SubPoint c) {
-  detail::TriangleBox triangle;
-  const Status status = detail::triangle_box({a, b, c}, sink.clip(), triangle);
-  if (triangle.narrow)
-    detail::triangle_by_blocks<std::int32_t>(sink, triangle);
-  else
-    detail::triangle_by_blocks<std::int64_t>(sink, triangle);
-  return status;
+  return detail::fill_in_box({a, b, c}, sink.clip(), [&]<class Int>(const detail::TriangleBox& triangle) {
+    detail::triangle_by_blocks<Int>(sink, triangle);
+  });
 }
 
 }  // namespace intaglio::raster

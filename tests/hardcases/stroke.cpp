@@ -41,10 +41,9 @@ std::string fault(Contour points, int width, bool closed) {
       const Stroke stroke{.width = width * 256, .join = join, .cap = cap, .closed = closed};
       const oracle::StrokeArea area(points, stroke);
       RecordingSink sink(window);
-      if (!draw_polyline(sink, points, stroke, workspace).ok() || !sink.violation().empty()) return "refused";
-      for (int y = window.y; y < window.bottom(); ++y)
-        for (int x = window.x; x < window.right(); ++x)
-          if (sink.writes(x, y) != (area.holds(x, y) ? 1 : 0)) return sink.ascii();
+      if (!draw_polyline(sink, points, stroke, workspace).ok()) return "refused";
+      const std::string wrong = sink.fault([&](int x, int y) { return area.holds(x, y); });
+      if (!wrong.empty()) return wrong;
       if (sink.touched() == 0) return "nothing drawn";
     }
   return "";

@@ -56,6 +56,18 @@ class RecordingSink {
   [[nodiscard]] int spans() const { return spans_; }
   /// What the first bad span was; empty if all were good.
   [[nodiscard]] const std::string& violation() const { return violation_; }
+  /// What is wrong with the drawing; empty if each pixel of the clip for which belongs(x, y) was drawn once,
+  /// no other was, and the contract was kept.
+  template <class Belongs>
+  [[nodiscard]] std::string fault(Belongs belongs) const {
+    if (!violation_.empty()) return violation_;
+    for (int y = clip_.y; y < clip_.y + clip_.height; ++y)
+      for (int x = clip_.x; x < clip_.x + clip_.width; ++x)
+        if (writes_[index(x, y)] != (belongs(x, y) ? 1 : 0))
+          return "pixel " + std::to_string(x) + "," + std::to_string(y) + " drawn " +
+                 std::to_string(writes(x, y)) + " times\n" + (clip_.width < 100 ? ascii() : "");
+    return "";
+  }
   /// Rows of '.' (never), '#' (once) and digits (more often).
   [[nodiscard]] std::string ascii() const {
     std::string out;

@@ -5,6 +5,8 @@
 #include <tests/oracle/line.hpp>
 #include <tests/oracle/random.hpp>
 #include <tests/oracle/recording_sink.hpp>
+#include <tests/raster/fault.hpp>
+#include <tests/raster/text.hpp>
 
 #include <climits>
 #include <gtest/gtest.h>
@@ -31,23 +33,16 @@ struct Dashes {
 };
 
 std::string text(const Dashes& d, const Rect& clip) {
-  return "(" + std::to_string(d.a.x) + "," + std::to_string(d.a.y) + ")-(" + std::to_string(d.b.x) + "," +
-         std::to_string(d.b.y) + ") " + std::to_string(d.on) + "/" + std::to_string(d.off) + " in " +
-         std::to_string(clip.x) + "," + std::to_string(clip.y) + " " + std::to_string(clip.width) + "x" +
-         std::to_string(clip.height);
+  return tests::text(d.a) + "-" + tests::text(d.b) + " " + std::to_string(d.on) + "/" +
+         std::to_string(d.off) + " in " + tests::text(clip);
 }
 
 // What is wrong in this window; empty if each pixel of a dash is drawn once and no other.
 std::string fault(const Dashes& d, RecordingSink& sink) {
   sink.clear();
-  if (!draw_dashed_line(sink, d.a, d.b, d.on, d.off).ok()) return text(d, sink.clip()) + ": refused";
-  if (!sink.violation().empty()) return text(d, sink.clip()) + ": " + sink.violation();
-  const Rect& clip = sink.clip();
-  for (int y = clip.y; y < clip.bottom(); ++y)
-    for (int x = clip.x; x < clip.right(); ++x)
-      if (sink.writes(x, y) != (oracle::on_dash(d.a.x, d.a.y, d.b.x, d.b.y, d.on, d.off, x, y) ? 1 : 0))
-        return text(d, clip) + ": pixel " + std::to_string(x) + "," + std::to_string(y) + "\n" + sink.ascii();
-  return "";
+  return tests::fault(
+      draw_dashed_line(sink, d.a, d.b, d.on, d.off), sink, [&] { return text(d, sink.clip()); },
+      [&](int x, int y) { return oracle::on_dash(d.a.x, d.a.y, d.b.x, d.b.y, d.on, d.off, x, y); });
 }
 
 TEST(Dash, EveryShortLineAndPatternInEveryWindowIsExact) {

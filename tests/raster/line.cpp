@@ -5,6 +5,7 @@
 #include <tests/oracle/random.hpp>
 #include <tests/oracle/recording_sink.hpp>
 #include <tests/oracle/samples.hpp>
+#include <tests/raster/fault.hpp>
 #include <tests/raster/text.hpp>
 
 #include <climits>
@@ -33,16 +34,9 @@ std::string text(Point a, Point b, const Rect& clip) {
 // as the definition says.
 std::string fault(Point a, Point b, RecordingSink& sink) {
   sink.clear();
-  const Status status = draw_line(sink, a, b);
-  if (!status.ok()) return text(a, b, sink.clip()) + ": refused";
-  if (!sink.violation().empty()) return text(a, b, sink.clip()) + ": " + sink.violation();
-  const Rect& clip = sink.clip();
-  for (int y = clip.y; y < clip.bottom(); ++y)
-    for (int x = clip.x; x < clip.right(); ++x)
-      if (sink.writes(x, y) != (oracle::on_line(a.x, a.y, b.x, b.y, x, y) ? 1 : 0))
-        return text(a, b, clip) + ": pixel " + std::to_string(x) + "," + std::to_string(y) + " drawn " +
-               std::to_string(sink.writes(x, y)) + " times\n" + (clip.width < 100 ? sink.ascii() : "");
-  return "";
+  return tests::fault(
+      draw_line(sink, a, b), sink, [&] { return text(a, b, sink.clip()); },
+      [&](int x, int y) { return oracle::on_line(a.x, a.y, b.x, b.y, x, y); });
 }
 
 std::string fault(Point a, Point b, const Rect& clip) {

@@ -7,6 +7,7 @@
 #include <tests/oracle/recording_sink.hpp>
 #include <tests/oracle/samples.hpp>
 #include <tests/oracle/stroke.hpp>
+#include <tests/raster/fault.hpp>
 
 #include <climits>
 #include <gtest/gtest.h>
@@ -22,7 +23,6 @@ namespace {
 using intaglio::Argument;
 using intaglio::Error;
 using intaglio::Status;
-using intaglio::linear::Rect;
 using intaglio::linear::SubPoint;
 using intaglio::raster::Cap;
 using intaglio::raster::draw_polyline;
@@ -53,15 +53,9 @@ std::string fault(const Contour& points, const Stroke& stroke, RecordingSink& si
   sink.clear();
   const StrokeArea area(points, stroke);
   std::vector<StrokeEdge> workspace(10 * points.size() + 4);
-  if (!draw_polyline(sink, points, stroke, workspace).ok()) return text(points, stroke) + ": refused";
-  if (!sink.violation().empty()) return text(points, stroke) + ": " + sink.violation();
-  const Rect& clip = sink.clip();
-  for (int y = clip.y; y < clip.bottom(); ++y)
-    for (int x = clip.x; x < clip.right(); ++x)
-      if (sink.writes(x, y) != (area.holds(x, y) ? 1 : 0))
-        return text(points, stroke) + ": pixel " + std::to_string(x) + "," + std::to_string(y) + "\n" +
-               sink.ascii();
-  return "";
+  return tests::fault(
+      draw_polyline(sink, points, stroke, workspace), sink, [&] { return text(points, stroke); },
+      [&](int x, int y) { return area.holds(x, y); });
 }
 
 TEST(Polyline, EveryTurnOnASmallGridIsExact) {

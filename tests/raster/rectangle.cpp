@@ -27,16 +27,6 @@ bool inside(const Rect& r, int x, int y) {
   return x >= r.x && y >= r.y && x < r.x + r.width && y < r.y + r.height;
 }
 
-template <class Expected>
-std::string fault(const RecordingSink& sink, Expected expected) {
-  if (!sink.violation().empty()) return sink.violation();
-  for (int y = clip.y; y < clip.y + clip.height; ++y)
-    for (int x = clip.x; x < clip.x + clip.width; ++x)
-      if (sink.writes(x, y) != (expected(x, y) ? 1 : 0))
-        return std::to_string(x) + "," + std::to_string(y) + "\n" + sink.ascii();
-  return "";
-}
-
 TEST(Rectangle, EverySmallRectangleInsideAndAcrossTheClipIsExactAndDrawnOnce) {
   RecordingSink sink(clip);
   for (int y = -6; y < 9; ++y)
@@ -51,10 +41,10 @@ TEST(Rectangle, EverySmallRectangleInsideAndAcrossTheClipIsExactAndDrawnOnce) {
           };
           sink.clear();
           ASSERT_TRUE(fill_rect(sink, r).ok());
-          ASSERT_EQ(fault(sink, filled), "") << x << " " << y << " " << w << " " << h;
+          ASSERT_EQ(sink.fault(filled), "") << x << " " << y << " " << w << " " << h;
           sink.clear();
           ASSERT_TRUE(draw_rect(sink, r).ok());
-          ASSERT_EQ(fault(sink, outlined), "") << x << " " << y << " " << w << " " << h;
+          ASSERT_EQ(sink.fault(outlined), "") << x << " " << y << " " << w << " " << h;
         }
 }
 
@@ -65,13 +55,13 @@ TEST(Rectangle, EveryShortRowColumnAndPixelIsExact) {
       for (int n = -2; n < 16; ++n) {
         sink.clear();
         ASSERT_TRUE(draw_horizontal(sink, {x, y}, n).ok());
-        ASSERT_EQ(fault(sink, [&](int px, int py) { return inside({x, y, n, 1}, px, py); }), "");
+        ASSERT_EQ(sink.fault([&](int px, int py) { return inside({x, y, n, 1}, px, py); }), "");
         sink.clear();
         ASSERT_TRUE(draw_vertical(sink, {x, y}, n).ok());
-        ASSERT_EQ(fault(sink, [&](int px, int py) { return inside({x, y, 1, n}, px, py); }), "");
+        ASSERT_EQ(sink.fault([&](int px, int py) { return inside({x, y, 1, n}, px, py); }), "");
         sink.clear();
         ASSERT_TRUE(draw_pixel(sink, {x, y}).ok());
-        ASSERT_EQ(fault(sink, [&](int px, int py) { return px == x && py == y; }), "");
+        ASSERT_EQ(sink.fault([&](int px, int py) { return px == x && py == y; }), "");
       }
 }
 

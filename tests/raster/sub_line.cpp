@@ -4,6 +4,7 @@
 #include <tests/oracle/random.hpp>
 #include <tests/oracle/recording_sink.hpp>
 #include <tests/oracle/samples.hpp>
+#include <tests/raster/fault.hpp>
 #include <tests/raster/text.hpp>
 
 #include <climits>
@@ -29,19 +30,14 @@ std::string text(SubPoint a, SubPoint b, const Rect& clip) {
 
 // What is wrong in this window; empty if each pixel of the line is drawn once, and no other, both ways round.
 std::string fault(SubPoint a, SubPoint b, RecordingSink& sink) {
-  for (int turn = 0; turn < 2; ++turn) {
+  const auto drawn = [&](SubPoint from, SubPoint to) {
     sink.clear();
-    if (!(turn == 0 ? draw_line(sink, a, b) : draw_line(sink, b, a)).ok())
-      return text(a, b, sink.clip()) + ": refused";
-    if (!sink.violation().empty()) return text(a, b, sink.clip()) + ": " + sink.violation();
-    const Rect& clip = sink.clip();
-    for (int y = clip.y; y < clip.bottom(); ++y)
-      for (int x = clip.x; x < clip.right(); ++x)
-        if (sink.writes(x, y) != (oracle::on_sub_line(a.x, a.y, b.x, b.y, x, y) ? 1 : 0))
-          return text(a, b, clip) + ": pixel " + std::to_string(x) + "," + std::to_string(y) + " turn " +
-                 std::to_string(turn) + "\n" + sink.ascii();
-  }
-  return "";
+    return tests::fault(
+        draw_line(sink, from, to), sink, [&] { return text(from, to, sink.clip()); },
+        [&](int x, int y) { return oracle::on_sub_line(a.x, a.y, b.x, b.y, x, y); });
+  };
+  const std::string forwards = drawn(a, b);
+  return forwards.empty() ? drawn(b, a) : forwards;
 }
 
 TEST(SubLine, EveryLineBetweenEighthsOfAPixelIsExactInEveryWindow) {

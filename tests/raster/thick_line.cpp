@@ -6,6 +6,8 @@
 #include <tests/oracle/recording_sink.hpp>
 #include <tests/oracle/samples.hpp>
 #include <tests/oracle/stroke.hpp>
+#include <tests/raster/fault.hpp>
+#include <tests/raster/text.hpp>
 
 #include <climits>
 #include <gtest/gtest.h>
@@ -36,8 +38,7 @@ struct Thick {
 };
 
 std::string text(const Thick& t) {
-  return "(" + std::to_string(t.a.x) + "," + std::to_string(t.a.y) + ")-(" + std::to_string(t.b.x) + "," +
-         std::to_string(t.b.y) + ")/256 width " + std::to_string(t.width) + " cap " +
+  return tests::text(t.a) + "-" + tests::text(t.b) + " width " + std::to_string(t.width) + " cap " +
          std::to_string(static_cast<int>(t.cap));
 }
 
@@ -46,14 +47,9 @@ std::string text(const Thick& t) {
 std::string fault(const Thick& t, RecordingSink& sink) {
   sink.clear();
   const oracle::StrokeArea area({t.a, t.b}, {.width = t.width, .cap = t.cap});
-  if (!draw_thick_line(sink, t.a, t.b, t.width, t.cap).ok()) return text(t) + ": refused";
-  if (!sink.violation().empty()) return text(t) + ": " + sink.violation();
-  const Rect& clip = sink.clip();
-  for (int y = clip.y; y < clip.bottom(); ++y)
-    for (int x = clip.x; x < clip.right(); ++x)
-      if (sink.writes(x, y) != (area.holds(x, y) ? 1 : 0))
-        return text(t) + ": pixel " + std::to_string(x) + "," + std::to_string(y) + "\n" + sink.ascii();
-  return "";
+  return tests::fault(
+      draw_thick_line(sink, t.a, t.b, t.width, t.cap), sink, [&] { return text(t); },
+      [&](int x, int y) { return area.holds(x, y); });
 }
 
 TEST(ThickLine, ShortLinesAreTheRectanglesOfTheirWidth) {

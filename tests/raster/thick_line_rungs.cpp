@@ -5,6 +5,8 @@
 #include <tests/oracle/random.hpp>
 #include <tests/oracle/recording_sink.hpp>
 #include <tests/oracle/samples.hpp>
+#include <tests/raster/fault.hpp>
+#include <tests/raster/text.hpp>
 
 #include <climits>
 #include <gtest/gtest.h>
@@ -41,17 +43,10 @@ bool on_thick_line(SubPoint a, SubPoint b, int thickness, int x, int y) {
 
 std::string fault(SubPoint a, SubPoint b, int thickness, RecordingSink& sink) {
   sink.clear();
-  const std::string name = "(" + std::to_string(a.x) + "," + std::to_string(a.y) + ")-(" +
-                           std::to_string(b.x) + "," + std::to_string(b.y) + ")/256 thick " +
-                           std::to_string(thickness);
-  if (!draw_minor_thick_line(sink, a, b, thickness).ok()) return name + ": refused";
-  if (!sink.violation().empty()) return name + ": " + sink.violation();
-  const Rect& clip = sink.clip();
-  for (int y = clip.y; y < clip.bottom(); ++y)
-    for (int x = clip.x; x < clip.right(); ++x)
-      if (sink.writes(x, y) != (on_thick_line(a, b, thickness, x, y) ? 1 : 0))
-        return name + ": pixel " + std::to_string(x) + "," + std::to_string(y) + "\n" + sink.ascii();
-  return "";
+  return tests::fault(
+      draw_minor_thick_line(sink, a, b, thickness), sink,
+      [&] { return tests::text(a) + "-" + tests::text(b) + " thick " + std::to_string(thickness); },
+      [&](int x, int y) { return on_thick_line(a, b, thickness, x, y); });
 }
 
 TEST(MinorThickLine, EveryShortLineIsExactUnderAnyClip) {

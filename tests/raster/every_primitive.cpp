@@ -3,11 +3,14 @@
 // What every primitive must do, whatever it draws: each pixel once, the same pixels under any clip and in any
 // band, and nothing left after drawing twice by exclusive-or.
 #include <intaglio/image/surface.hpp>
+#include <intaglio/raster/adaptive.hpp>
 #include <intaglio/raster/coverage.hpp>
 #include <intaglio/raster/enlargement.hpp>
+#include <intaglio/raster/inside.hpp>
 #include <intaglio/raster/pitteway.hpp>
 #include <intaglio/raster/smooth_line.hpp>
 #include <intaglio/raster/solid.hpp>
+#include <intaglio/raster/stochastic.hpp>
 #include <intaglio/raster/supersample.hpp>
 #include <tests/oracle/level_sink.hpp>
 #include <tests/oracle/recording_sink.hpp>
@@ -103,7 +106,7 @@ TEST(EveryPrimitive, ExclusiveOrTwiceRestoresAndBandsMakeThePicture) {
   }
 }
 
-TEST(EveryPrimitive, NoClipChangesALevelOfCoverage) {
+TEST(EveryPrimitive, CoversEachPixelOnceAndNoClipOrBandChangesALevel) {
   using namespace intaglio::raster;
   using oracle::LevelSink;
   struct Named {
@@ -111,6 +114,17 @@ TEST(EveryPrimitive, NoClipChangesALevelOfCoverage) {
     intaglio::Status (*draw)(LevelSink& sink, const Figure& f);
   };
   static constexpr std::array two_contours{3, 3};
+  // For the ways that ask if a place is inside: whether one of a grid of scale x scale samples a pixel is.
+  static constexpr auto inside_of = [](const Figure& f, int scale) {
+    std::array<intaglio::linear::SubPoint, 6> enlarged{};
+    std::transform(f.places.begin(), f.places.end(), enlarged.begin(),
+                   [=](intaglio::linear::SubPoint p) { return Enlargement(scale).place(p); });
+    return [=](intaglio::linear::SubPoint p) {
+      const auto answer = inside_polygon(FillRule::even_odd, enlarged, two_contours, p);
+      return answer.ok() && answer.value();
+    };
+  };
+  static constexpr Rect asked{3, 2, width - 7, height - 4};
   constexpr Named list[] = {
       {"area of a polygon",
        [](LevelSink& s, const Figure& f) {
@@ -124,6 +138,10 @@ TEST(EveryPrimitive, NoClipChangesALevelOfCoverage) {
        }},
       {"convex polygon by Pitteway's way",
        [](LevelSink& s, const Figure& f) { return fill_convex_pitteway(s, std::span(f.places).first<3>()); }},
+      {"polygon sampled adaptively",
+       [](LevelSink& s, const Figure& f) { return cover_adaptively(s, asked, 3, inside_of(f, 3)); }},
+      {"polygon sampled stochastically",
+       [](LevelSink& s, const Figure& f) { return cover_stochastically(s, asked, 2, 7, inside_of(f, 2)); }},
       {"supersampled triangle", [](LevelSink& s, const Figure& f) {
          const Enlargement enlarge(4);
          std::array<SampleCell, 3 * width> workspace;
@@ -140,11 +158,15 @@ TEST(EveryPrimitive, NoClipChangesALevelOfCoverage) {
       const Figure figure = tests::random_figure(random, reach_of(i));
       LevelSink whole(all);
       const auto status = primitive.draw(whole, figure);
-      const Rect clip = random_part(random);
-      LevelSink part(clip);
-      wrong += primitive.draw(part, figure) != status || whole.bad() || part.bad() ? 1 : 0;
-      for (int y = clip.y; y < clip.bottom(); ++y)
-        for (int x = clip.x; x < clip.right(); ++x) wrong += part.level(x, y) != whole.level(x, y) ? 1 : 0;
+      wrong += whole.bad() ? 1 : 0;
+      const Rect part = random_part(random);
+      for (const Rect& clip : {part, Rect{0, part.y, width, part.height}, Rect{0, 0, 0, 0}}) {
+        LevelSink clipped(clip);
+        wrong += primitive.draw(clipped, figure) != status || clipped.bad() ? 1 : 0;
+        for (int y = clip.y; y < clip.bottom(); ++y)
+          for (int x = clip.x; x < clip.right(); ++x)
+            wrong += clipped.level(x, y) != whole.level(x, y) ? 1 : 0;
+      }
       seen += whole.spans() > 0 ? 1 : 0;
     }
     EXPECT_EQ(wrong, 0) << primitive.name << ", " << random.seed_text();

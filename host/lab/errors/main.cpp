@@ -87,6 +87,27 @@ ordered_json measured(const FamilyReport& family, const std::string& rung, const
           {"how", found.how}};
 }
 
+/// Writes the canvas as a grey picture (PGM), the highest index white; nothing if nothing was drawn.
+void write_canvas(const std::string& path) {
+  const auto picture = lab::canvas();
+  const auto size = picture.bounds();
+  std::string levels;
+  for (int y = 0; y < size.height; ++y) {
+    for (int x = 0; x < size.width; ++x) levels += static_cast<char>(picture.get(x, y));
+  }
+  const auto by_value = [](char a, char b) {
+    return static_cast<unsigned char>(a) < static_cast<unsigned char>(b);
+  };
+  const int highest = static_cast<unsigned char>(*std::max_element(levels.begin(), levels.end(), by_value));
+  if (highest == 0) return;
+  for (char& level : levels) level = static_cast<char>(static_cast<unsigned char>(level) * 255 / highest);
+  std::FILE* file = std::fopen(path.c_str(), "wb");
+  if (file == nullptr) throw std::runtime_error("can't write " + path);
+  std::fprintf(file, "P5 %d %d 255\n", size.width, size.height);
+  const bool written = std::fwrite(levels.data(), 1, levels.size(), file) == levels.size();
+  if (std::fclose(file) != 0 || !written) throw std::runtime_error("can't write " + path);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) try {
@@ -95,17 +116,21 @@ int main(int argc, char** argv) try {
   std::string rung;
   std::string load;
   std::string input;
+  std::string file;
   bool full = false;
 
   const auto* list = app.add_subcommand("list", "Describes the family, as JSON");
   auto* measure = app.add_subcommand("measure", "Searches for the worst error of a rung under a load");
   auto* replay = app.add_subcommand("replay", "The error at one input, as a search has printed it");
-  for (auto* command : {measure, replay}) {
+  auto* picture =
+      app.add_subcommand("picture", "What a rung draws under a load, as PGM; no file if it draws nothing");
+  for (auto* command : {measure, replay, picture}) {
     command->add_option("rung", rung)->required();
     command->add_option("load", load)->required();
   }
   measure->add_flag("--full", full, "All points that the project promises, not only a sample");
   replay->add_option("input", input, "Integers, in one argument")->required();
+  picture->add_option("file", file)->required();
   CLI11_PARSE(app, argc, argv);
 
   const FamilyReport family = host::lab::family_report();
@@ -113,6 +138,9 @@ int main(int argc, char** argv) try {
     std::puts(description(family).dump(1).c_str());
   } else if (*measure) {
     std::puts(measured(family, rung, load, full).dump(1).c_str());
+  } else if (*picture) {
+    rung_called(family, rung).draw(load_called(family, load));
+    write_canvas(file);
   } else {
     std::printf("%.12Lg\n", rung_called(family, rung).replay(load_called(family, load), input));
   }

@@ -61,6 +61,8 @@ struct RungReport {
   std::function<Measured(int load, Effort effort)> measure;
   /// The error at one input, as printed by a search.
   std::function<long double(int load, std::string_view input)> replay;
+  /// Draws what a count draws on the canvas.
+  std::function<void(int load)> draw;
 };
 
 struct LoadReport {
@@ -151,6 +153,9 @@ template <class E, class R>
   rung.replay = [](int load, std::string_view input) {
     return static_cast<long double>(
         E::template error<R>(load, numbers_of<std::tuple_size_v<typename E::Case>>(input)));
+  };
+  rung.draw = [](int load) {
+    for (int i = 0; i < F::loads[load].calls; ++i) F::template run<R>(F::input(load, i));
   };
   return rung;
 }

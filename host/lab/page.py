@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: MIT
+"""The lab's report: one page of HTML with all charts, tables and pictures in it."""
+import base64
+import io
+import subprocess
+import tempfile
+from pathlib import Path
+
+import jinja2
+from PIL import Image, ImageChops
+
+import charts
+import table
+from cores import CORES
+
+TEMPLATE = Path(__file__).resolve().parent / "report.html.jinja"
+SHOWN_FIRST = ("cortex-m0plus", "cortex-m3")
+
+
+def cycles(row):
+    """Modelled cycles."""
+    model = CORES[row["core"]].model
+    return (float(row["instructions"]) + model.load * float(row["loads"]) + model.store * float(row["stores"]) +
+            model.multiply * float(row["multiplies"]) + model.divide * float(row["divides"]))
+
+
+def turns(rows, factor=1.3):
+    """Pairs of rungs whose order turns round between two cores: the most telling pair of each family.
+    (family, load, rung cheaper on the first core, rung cheaper on the second, first, second, costs)."""
+    costs, worst = {}, {}
+    for row in rows:
+        key = row["family"], row["metric"]
+        costs.setdefault(key, {}).setdefault(row["rung"], {})[row["core"]] = float(row["instructions"])
+        worst[key, row["rung"]] = float(row["worst"])
+    best = {}
+    cores = [name for name in CORES if name != "x86-64"]
+    for (family, load), rungs in costs.items():
+        for a, of_a in rungs.items():
+            for b, of_b in rungs.items():
+                for first in cores:
+                    for second in cores:
+                        if not all(core in of for core in (first, second) for of in (of_a, of_b)):
+                            continue
+                        if min(of_a[first], of_b[second]) <= 0:
+                            continue
+                        gain = min(of_b[first] / of_a[first], of_a[second] / of_b[second])
+                        # Of rungs equally good it matters most.
+                        weight = gain * (2 if worst[(family, load), a] == worst[(family, load), b] else 1)
+                        if gain >= factor and weight > best.get(family, (0,))[0]:
+                            best[family] = (weight, load, a, b, first, second, of_a[first], of_b[first], of_a[second],
+                                            of_b[second])
+    return sorted(((family, *found[1:]) for family, found in best.items()),
+                  key=lambda found: -found[7] / found[6] * found[8] / found[9])
+
+
+def png_data(image):
+    buffer = io.BytesIO()
+    image.save(buffer, "png", optimize=True)
+    return "data:image/png;base64," + base64.b64encode(buffer.getvalue()).decode()
+
+
+def pictures(family, load, rivals):
+    """What each rung draws, and eight times the difference from the most accurate one; empty if nothing is drawn."""
+    drawn = {}
+    with tempfile.TemporaryDirectory() as folder:
+        for row in rivals:
+            file = Path(folder) / "picture.pgm"
+            subprocess.run([family["program"], "picture", row["rung"], load, file], check=True)
+            if not file.exists():
+                return []
+            drawn[row["rung"]] = Image.open(file).convert("L").copy()
+    best = min(rivals, key=lambda row: (float(row["worst"]), float(row["mean"])))["rung"]
+    shown = []
+    for row in rivals:
+        picture = drawn[row["rung"]]
+        difference = ImageChops.difference(picture, drawn[best]).point(lambda level: min(255, level * 8))
+        shown.append({"rung": row["rung"], "picture": png_data(picture), "best": row["rung"] == best,
+                      "difference": png_data(difference) if difference.getbbox() else None})
+    return shown
+
+
+def _family(family, rows):
+    """What the template needs of one family."""
+    loads = []
+    for load in family["loads"]:
+        per_core = []
+        for core in CORES.values():
+            rivals = [row for row in rows if row["core"] == core.name and row["metric"] == load["name"]]
+            if not rivals:
+                continue
+            title = f"{family['name']}, {load['name']}, {core.name}"
+            per_core.append({"core": core, "rows": [{**row, "cycles": f"{cycles(row):.1f}"} for row in rivals],
+                             "open": core.name in SHOWN_FIRST,
+                             "chart": charts.family_chart(rivals, family["per"], title)})
+        shown = pictures(family, load["name"], per_core[0]["rows"]) if per_core else []
+        loads.append({**load, "cores": per_core, "pictures": shown})
+    slack = {rung["name"]: rung["slack"] for rung in family["rungs"] if rung["slack"]}
+    return {**family, "load_tables": loads, "slack": slack}
+
+
+def write(path, families, rows, errors, fragments, compilers):
+    """Writes the report. `fragments`: (anchor, title, HTML) of further sections."""
+    points = {}
+    for (family, load, rung), error in errors.items():
+        points.setdefault(family, {})[load] = f"{error['points']:,} points: {error['how']}"
+    environment = jinja2.Environment(loader=jinja2.FileSystemLoader(TEMPLATE.parent), autoescape=True,
+                                     undefined=jinja2.StrictUndefined, trim_blocks=True, lstrip_blocks=True)
+    titles = {name: family["title"] for name, family in families.items()}
+    page = environment.get_template(TEMPLATE.name).render(
+        families=[_family(family, [row for row in rows if row["family"] == name]) for name, family in families.items()],
+        turns=turns(rows), titles=titles, cores=list(CORES.values()), points=points, fragments=fragments,
+        light=charts.LIGHT, dark=charts.DARK, compilers=compilers, count=len(rows))
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(page)
+
+
+def staircase(rows):
+    """The rungs worth having of rows that compete, cheapest first."""
+    return table.front(rows)

@@ -5,11 +5,9 @@
 #include <intaglio/image/rotozoom.hpp>
 #include <intaglio/image/scale.hpp>
 #include <intaglio/image/three_shear.hpp>
-#include <intaglio/number/sine.hpp>
 #include <tests/fuzz/scene.hpp>
-#include <tests/oracle/rotozoom.hpp>
+#include <tests/image/placements.hpp>
 #include <tests/oracle/scale.hpp>
-#include <tests/oracle/three_shear.hpp>
 
 #include <map>
 #include <optional>
@@ -97,21 +95,6 @@ void check_copy(const Scene& scene, Pair<F, G>& pair, const Rule& rule, Copy cop
   require(pair.memory == bytes_before, "memory beside the pixels changes");
 }
 
-/// The rest of the angle is its distance from the nearest quarter turn; half-way it is an eighth back.
-oracle::ThreeShear oracle_of(const image::ThreeShear& p, linear::Size size) {
-  const int quarters = (p.angle.steps() + 8192) / 16384;
-  const auto rest = number::Angle::from_steps(p.angle.steps() - 16384 * quarters);
-  return {size.width,
-          size.height,
-          p.position.x,
-          p.position.y,
-          p.pivot.x,
-          p.pivot.y,
-          quarters,
-          number::sine(rest).raw(),
-          number::cosine(rest).raw()};
-}
-
 template <class F, class G, class Rule>
 void copies(Input& in, const Scene& scene, Pair<F, G>& pair, const Rule& rule) {
   const auto size = pair.source.size();
@@ -147,7 +130,7 @@ void copies(Input& in, const Scene& scene, Pair<F, G>& pair, const Rule& rule) {
       placement.position = scene.sub_point(in);
       placement.pivot = scene.sub_point(in);
       placement.angle = number::Angle::from_steps(in.byte() * 256 + in.choice(3));
-      const oracle::ThreeShear map = oracle_of(placement, size);
+      const oracle::ThreeShear map = tests::oracle_of(placement, size);
       std::map<std::pair<oracle::Wide, oracle::Wide>, Point> landed;
       for_pixels({0, 0, size.width, size.height}, [&](int x, int y) {
         const auto place = map.land(x, y);
@@ -174,13 +157,7 @@ void copies(Input& in, const Scene& scene, Pair<F, G>& pair, const Rule& rule) {
       placement.scale = number::Fixed<16>::from_raw(scale < 0x80   ? 1 << scale % 26
                                                     : scale < 0xF0 ? (scale - 0x70) * 1024
                                                                    : in.any());
-      const oracle::Rotozoom map{placement.position.x,
-                                 placement.position.y,
-                                 placement.pivot.x,
-                                 placement.pivot.y,
-                                 number::cosine(placement.angle).raw(),
-                                 number::sine(placement.angle).raw(),
-                                 placement.scale.raw()};
+      const oracle::Rotozoom map = tests::oracle_of(placement);
       check_copy<F, G>(
           scene, pair, rule,
           [&](const Rule& r) {

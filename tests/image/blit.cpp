@@ -4,7 +4,6 @@
 #include <tests/image/pictures.hpp>
 #include <tests/image/rules.hpp>
 
-#include <limits>
 #include <optional>
 #include <tuple>
 
@@ -142,25 +141,7 @@ TYPED_TEST(Blit, ABandAsSourceLandsWithItsCorner) {
   EXPECT_EQ(to.bytes(), expected.bytes());
 }
 
-TEST(BlitArguments, PositionsOutsideTheDomainAreRefused) {
-  constexpr int limit = 1 << 20;
-  constexpr int int_min = std::numeric_limits<int>::min();
-  constexpr int int_max = std::numeric_limits<int>::max();
-  oracle::Random random(44);
-  Packed to = tests::packed_rows<Indexed4>(width, height);
-  Packed from = tests::packed_rows<Indexed4>(width, height);
-  to.randomize(random);
-  from.randomize(random);
-  const Packed before = to;
-  const auto target = tests::surface_over<Indexed4>(to, width, height);
-  const Picture<Indexed4> source = tests::surface_over<Indexed4>(from, width, height);
-
-  for (const Point position : {Point{limit + 1, 0}, Point{0, -limit - 1}, Point{int_min, int_max}})
-    EXPECT_EQ(blit(target, position, source), (Status{Error::out_of_domain, Argument::position}));
-  EXPECT_EQ(to.bytes(), before.bytes());
-}
-
-TEST(BlitArguments, PositionsOutsideTheTargetDrawNothing) {
+TEST(BlitVisible, PositionsOutsideTheTargetDrawNothing) {
   constexpr int limit = 1 << 20;
   oracle::Random random(45);
   Packed to = tests::packed_rows<Indexed8>(width, height);

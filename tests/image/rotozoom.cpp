@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include <intaglio/image/rotozoom.hpp>
-#include <intaglio/number/sine.hpp>
 #include <tests/image/formats.hpp>
 #include <tests/image/pictures.hpp>
+#include <tests/image/placements.hpp>
 #include <tests/image/rules.hpp>
-#include <tests/oracle/rotozoom.hpp>
 #include <tests/oracle/sine.hpp>
 
-#include <limits>
 #include <optional>
 
 namespace {
 
-using intaglio::Argument;
-using intaglio::Error;
 using intaglio::Status;
 using intaglio::image::blit;
 using intaglio::image::blit_rotozoom;
@@ -26,7 +22,6 @@ using intaglio::image::Picture;
 using intaglio::image::Rotozoom;
 using intaglio::linear::Point;
 using intaglio::linear::Rect;
-using intaglio::linear::SubPoint;
 using intaglio::number::Angle;
 using intaglio::number::Fixed;
 using oracle::Packed;
@@ -40,16 +35,6 @@ constexpr int height = 13;
 constexpr int least_scale = 1 << 8;
 constexpr int largest_scale = 1 << 24;
 
-oracle::Rotozoom oracle_of(const Rotozoom& placement) {
-  return {placement.position.x,
-          placement.position.y,
-          placement.pivot.x,
-          placement.pivot.y,
-          intaglio::number::cosine(placement.angle).raw(),
-          intaglio::number::sine(placement.angle).raw(),
-          placement.scale.raw()};
-}
-
 std::string text(const Rotozoom& p) {
   return "position " + std::to_string(p.position.x) + ',' + std::to_string(p.position.y) + " pivot " +
          std::to_string(p.pivot.x) + ',' + std::to_string(p.pivot.y) + " angle " +
@@ -59,7 +44,7 @@ std::string text(const Rotozoom& p) {
 /// Every pixel of a `width` x `height` target asked by itself; the number of pixels shown.
 int expect_rotozoom(Packed& target, const Packed& source, const Rect& part, const Rotozoom& placement,
                     const Rect& clip, const IndexMap& map) {
-  const oracle::Rotozoom rule = oracle_of(placement);
+  const oracle::Rotozoom rule = tests::oracle_of(placement);
   int shown = 0;
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
@@ -232,7 +217,7 @@ TEST(RotozoomBound, PlacesOnTheSourceAreWithinTheStatedErrorOfTheTrueOnes) {
     const Angle angle = Angle::from_steps(random.between(0, 65535));
     const int scale = random.between(0, 1) == 0 ? random.between(least_scale, 1 << 17)
                                                 : random.between(least_scale, largest_scale);
-    const oracle::Rotozoom rule = oracle_of({{}, {}, angle, Fixed<16>::from_raw(scale)});
+    const oracle::Rotozoom rule = tests::oracle_of(Rotozoom{{}, {}, angle, Fixed<16>::from_raw(scale)});
     // |U - true| <= 1/2 + 2.002 * 65536 / scale; both sides times scale * 1000, the sine in 2^62.
     const Wide used = rule.step(rule.sine) * scale;                  // 2^-32
     const Wide truth = Wide{oracle::sine_q62(angle.steps())} >> 30;  // 2^-32
@@ -240,37 +225,6 @@ TEST(RotozoomBound, PlacesOnTheSourceAreWithinTheStatedErrorOfTheTrueOnes) {
     wrong += static_cast<int>(1000 * off > Wide{500} * scale + Wide{2002} * 65536);
   }
   EXPECT_EQ(wrong, 0);
-}
-
-TEST(RotozoomArguments, BadOnesAreNamedAndNothingIsDrawn) {
-  constexpr int int_min = std::numeric_limits<int>::min();
-  constexpr int int_max = std::numeric_limits<int>::max();
-  oracle::Random random(67);
-  Packed to = tests::packed_rows<Indexed2>(width, height);
-  Packed from = tests::packed_rows<Indexed2>(width, height);
-  to.randomize(random);
-  from.randomize(random);
-  const Packed before = to;
-  const auto target = tests::surface_over<Indexed2>(to, width, height);
-  const auto source = tests::surface_over<Indexed2>(from, width, height);
-
-  for (const SubPoint place :
-       {SubPoint{sub_limit + 1, 0}, SubPoint{0, -sub_limit - 1}, SubPoint{int_min, int_max}}) {
-    EXPECT_EQ(blit_rotozoom(target, {.position = place}, source),
-              (Status{Error::out_of_domain, Argument::position}));
-    EXPECT_EQ(blit_rotozoom(target, {.pivot = place}, source),
-              (Status{Error::out_of_domain, Argument::point}));
-  }
-  for (const int scale : {0, -65536, least_scale - 1, largest_scale + 1, int_min, int_max})
-    EXPECT_EQ(blit_rotozoom(target, {.scale = Fixed<16>::from_raw(scale)}, source),
-              (Status{Error::out_of_range, Argument::size}));
-  Packed wide = tests::packed_rows<Indexed2>((1 << 16) + 1, 1);
-  EXPECT_EQ(blit_rotozoom(target, {}, tests::surface_over<Indexed2>(wide, (1 << 16) + 1, 1)),
-            (Status{Error::too_large, Argument::source, 1U << 16U}));
-  EXPECT_EQ(blit_rotozoom(target, {}, target), (Status{Error::mismatched, Argument::source}));
-  EXPECT_EQ(to.bytes(), before.bytes());
-  EXPECT_TRUE(
-      blit_rotozoom(target, {}, target.sub({0, 0, width, 3}), Everything{}, {0, 3, width, height}).ok());
 }
 
 }  // namespace

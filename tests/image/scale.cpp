@@ -5,7 +5,6 @@
 #include <tests/image/rules.hpp>
 #include <tests/oracle/scale.hpp>
 
-#include <limits>
 #include <optional>
 
 namespace {
@@ -16,7 +15,6 @@ using intaglio::Status;
 using intaglio::image::blit;
 using intaglio::image::blit_scaled;
 using intaglio::image::Everything;
-using intaglio::image::Indexed2;
 using intaglio::image::Indexed4;
 using intaglio::image::Indexed8;
 using intaglio::image::Picture;
@@ -162,29 +160,6 @@ TEST(ScaleVisible, APictureOfTheDomainsSizeShowsItsVisiblePartOnly) {
     ASSERT_TRUE(blit_scaled(tests::surface_over<Indexed8>(to, width, height), destination, source).ok());
     EXPECT_EQ(to.bytes(), expected.bytes()) << tests::text(destination);
   }
-}
-
-TEST(ScaleArguments, DestinationsOutsideTheDomainAreRefusedAndEmptyOnesDrawNothing) {
-  constexpr int int_min = std::numeric_limits<int>::min();
-  constexpr int int_max = std::numeric_limits<int>::max();
-  oracle::Random random(54);
-  Packed to = tests::packed_rows<Indexed2>(width, height);
-  Packed from = tests::packed_rows<Indexed2>(width, height);
-  to.randomize(random);
-  from.randomize(random);
-  const Packed before = to;
-  const auto target = tests::surface_over<Indexed2>(to, width, height);
-  const auto source = tests::surface_over<Indexed2>(from, width, height);
-
-  for (const Point corner : {Point{limit + 1, 0}, Point{0, -limit - 1}, Point{int_min, int_max}})
-    EXPECT_EQ(blit_scaled(target, {corner.x, corner.y, 9, 9}, source),
-              (Status{Error::out_of_domain, Argument::position}));
-  for (const Size size : {Size{2 * limit + 1, 1}, Size{1, int_max}, Size{int_min, 1}})
-    EXPECT_EQ(blit_scaled(target, {0, 0, size.width, size.height}, source),
-              (Status{Error::out_of_domain, Argument::size}));
-  for (const Rect& none : {Rect{0, 0, 0, 9}, Rect{0, 0, 9, -1}, Rect{width, 0, 9, 9}, Rect{0, -9, 9, 9}})
-    EXPECT_TRUE(blit_scaled(target, none, source).ok());
-  EXPECT_EQ(to.bytes(), before.bytes());
 }
 
 TEST(ScaleOverlap, SourceAndVisibleTargetMustNotMeetInMemory) {

@@ -1,20 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include <intaglio/image/three_shear.hpp>
-#include <intaglio/number/sine.hpp>
 #include <tests/image/pictures.hpp>
+#include <tests/image/placements.hpp>
 #include <tests/image/rules.hpp>
 #include <tests/oracle/samples.hpp>
 #include <tests/oracle/sine.hpp>
-#include <tests/oracle/three_shear.hpp>
 
-#include <limits>
 #include <optional>
 
 namespace {
 
-using intaglio::Argument;
-using intaglio::Error;
-using intaglio::Status;
 using intaglio::image::blit_three_shear;
 using intaglio::image::Everything;
 using intaglio::image::Indexed1;
@@ -38,26 +33,6 @@ constexpr int height = 13;
 /// What is shown by the rule `Everything`.
 unsigned as_it_is(unsigned index) { return index; }
 
-/// The rest is the angle's distance from the nearest quarter turn; half-way it is an eighth back.
-oracle::ThreeShear oracle_of(const ThreeShear& p, Size size) {
-  int quarters = 0;
-  int rest = p.angle.steps();
-  while (rest >= 8192) {
-    rest -= 16384;
-    ++quarters;
-  }
-  const Angle angle = Angle::from_steps(rest);
-  return {size.width,
-          size.height,
-          p.position.x,
-          p.position.y,
-          p.pivot.x,
-          p.pivot.y,
-          quarters,
-          intaglio::number::sine(angle).raw(),
-          intaglio::number::cosine(angle).raw()};
-}
-
 std::string text(const ThreeShear& p) {
   return "position " + std::to_string(p.position.x) + ',' + std::to_string(p.position.y) + " pivot " +
          std::to_string(p.pivot.x) + ',' + std::to_string(p.pivot.y) + " angle " +
@@ -67,7 +42,7 @@ std::string text(const ThreeShear& p) {
 /// Every pixel of the source brought to where it lands; how many land on the `width` x `height` target.
 int expect_three_shear(Packed& target, const Packed& source, const Rect& part, const ThreeShear& placement,
                        const Rect& clip, const IndexMap& map) {
-  const oracle::ThreeShear rule = oracle_of(placement, {part.width, part.height});
+  const oracle::ThreeShear rule = tests::oracle_of(placement, {part.width, part.height});
   int shown = 0;
   for (int row = 0; row < part.height; ++row)
     for (int column = 0; column < part.width; ++column) {
@@ -211,7 +186,7 @@ TEST(ThreeShearBound, PixelsLandWithinTheStatedErrorOfTheTrueTurn) {
   for (int i = 0; i < 200000; ++i) {
     const int reach = i % 2 == 0 ? 40 : 20000;
     const int steps = random.between(-8192, 8191);
-    const oracle::ThreeShear rule = oracle_of({{}, {}, Angle::from_steps(steps)}, {1, 1});
+    const oracle::ThreeShear rule = tests::oracle_of(ThreeShear{{}, {}, Angle::from_steps(steps)}, {1, 1});
     const Wide column = random.between(-reach, reach);
     const Wide row = random.between(-reach, reach);
     const auto place = rule.land(column, row);
@@ -229,31 +204,6 @@ TEST(ThreeShearBound, PixelsLandWithinTheStatedErrorOfTheTrueTurn) {
                               1000 * y_off > Wide{860} * 32768 + 2400 * distance);
   }
   EXPECT_EQ(wrong, 0);
-}
-
-TEST(ThreeShearArguments, BadOnesAreNamedAndNothingIsDrawn) {
-  constexpr int int_min = std::numeric_limits<int>::min();
-  constexpr int int_max = std::numeric_limits<int>::max();
-  oracle::Random random(76);
-  Packed to = tests::packed_rows<Indexed2>(width, height);
-  Packed from = tests::packed_rows<Indexed2>(width, height);
-  to.randomize(random);
-  from.randomize(random);
-  const Packed before = to;
-  const auto target = tests::surface_over<Indexed2>(to, width, height);
-  const auto source = tests::surface_over<Indexed2>(from, width, height);
-  for (const SubPoint place :
-       {SubPoint{sub_limit + 1, 0}, SubPoint{0, -sub_limit - 1}, SubPoint{int_min, int_max}}) {
-    EXPECT_EQ(blit_three_shear(target, {.position = place}, source),
-              (Status{Error::out_of_domain, Argument::position}));
-    EXPECT_EQ(blit_three_shear(target, {.pivot = place}, source),
-              (Status{Error::out_of_domain, Argument::point}));
-  }
-  Packed wide = tests::packed_rows<Indexed2>((1 << 16) + 1, 1);
-  EXPECT_EQ(blit_three_shear(target, {}, tests::surface_over<Indexed2>(wide, (1 << 16) + 1, 1)),
-            (Status{Error::too_large, Argument::source, 1U << 16U}));
-  EXPECT_EQ(blit_three_shear(target, {}, target), (Status{Error::mismatched, Argument::source}));
-  EXPECT_EQ(to.bytes(), before.bytes());
 }
 
 }  // namespace

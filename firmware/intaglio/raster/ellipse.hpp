@@ -27,8 +27,16 @@ namespace intaglio::raster {
 
 namespace detail {
 
-constexpr bool contains_row(const linear::Rect& clip, int y) noexcept {
-  return static_cast<unsigned>(y - clip.y) < static_cast<unsigned>(clip.height);
+/// Draws what is visible of the same span on one row or two.
+template <SpanSink S>
+[[gnu::noinline]] void visible_span_of_rows(S& sink, int upper, int lower, int x_begin, int x_end) {
+  const linear::Rect& clip = sink.clip();
+  x_begin = std::max(x_begin, clip.x);
+  x_end = std::min(x_end, clip.right());
+  if (x_begin >= x_end) return;
+  const auto visible = [&](int y) { return clip.y <= y && y < clip.bottom(); };
+  if (visible(upper)) sink.span(upper, x_begin, x_end);
+  if (upper != lower && visible(lower)) sink.span(lower, x_begin, x_end);
 }
 
 /// Fills an oval by pairs of rows, from the visible ones nearest to its middle outwards.
@@ -41,25 +49,27 @@ void fill_row_pairs(S& sink, Oval& oval) {
   if (clip.empty() || rows.first > rows.last) return;
   const int left = oval.left();
   const int right = oval.right();
-  const int clip_right = clip.right();
+  const bool all_visible = clip.x <= left && right <= clip.right() && clip.y <= top && bottom < clip.bottom();
   auto walk = oval.walk_from<Int>(rows.last);
   int upper = top + rows.last;
   int lower = bottom - rows.last;
   for (const int end = top + rows.first;; --upper, ++lower) {
-    const int x_begin = std::max(left + walk.inset(), clip.x);
-    const int x_end = std::min(right - walk.inset(), clip_right);
-    if (x_begin < x_end) {
-      if (contains_row(clip, upper)) sink.span(upper, x_begin, x_end);
-      if (upper != lower && contains_row(clip, lower)) sink.span(lower, x_begin, x_end);
+    const int x_begin = left + walk.inset();
+    const int x_end = right - walk.inset();
+    if (all_visible) {
+      sink.span(upper, x_begin, x_end);
+      if (upper != lower) sink.span(lower, x_begin, x_end);
+    } else {
+      visible_span_of_rows(sink, upper, lower, x_begin, x_end);
     }
     if (upper == end) return;
     walk.outwards();
-    while (!walk.belongs()) walk.narrower();
+    walk.settle();
   }
 }
 
 template <SpanSink S>
-void fill_oval(S& sink, Oval oval) {
+void fill_oval(S& sink, Oval&& oval) {
   if (oval.fits<std::int32_t>())
     fill_row_pairs<std::int32_t>(sink, oval);
   else

@@ -69,8 +69,11 @@ class Oval {
   template <class Int>
   [[nodiscard]] OvalWalk<Int> walk_from(int from_top) noexcept {
     const int y = b_ - 2 * from_top;
-    row_ = y;
-    search(static_cast<unsigned>(y));
+    // On the middle row or both the oval is as wide as its box.
+    if (y > 1) {
+      row_ = y;
+      search(static_cast<unsigned>(y));
+    }
     return {a_, b_, reach_, y};
   }
   template <class Int>

@@ -14,6 +14,9 @@
 // Error: none. Textbook: section 2.4, the second-order differences of a conic.
 #pragma once
 
+#include <intaglio/number/root.hpp>
+
+#include <algorithm>
 #include <concepts>
 #include <cstdint>
 #include <limits>
@@ -24,13 +27,16 @@ namespace intaglio::raster::detail {
 /// Stands on a pixel not more than a step from the outermost that belongs to the oval on its row.
 template <std::signed_integral Int>
 class OvalWalk {
+  using Word = std::make_unsigned_t<Int>;
+
  public:
   /// True if Int holds the walk around an oval with these half axes (in half pixels, at most 2^21).
   [[nodiscard]] static constexpr bool fits(int a, int b) noexcept {
     constexpr auto limit = static_cast<std::uint64_t>(std::numeric_limits<Int>::max());
-    const auto m = static_cast<std::uint64_t>(a > b ? a : b);
-    return static_cast<std::uint64_t>(a) * static_cast<std::uint64_t>(b) * m <= limit / 8 &&
-           m * m <= limit / 64;
+    constexpr auto longest = static_cast<int>(std::min<std::uint64_t>(number::isqrt(limit / 64), 1U << 21U));
+    const int m = std::max(a, b);
+    return m <= longest &&
+           std::uint64_t{static_cast<Word>(a) * static_cast<Word>(b)} * static_cast<unsigned>(m) <= limit / 8;
   }
 
   /// Stands nowhere.
@@ -50,6 +56,13 @@ class OvalWalk {
   /// True if the pixel belongs to the oval.
   [[nodiscard]] constexpr bool belongs() const noexcept {
     return column_ <= row_ ? error_ <= row_ - a_squared_ : error_ <= column_ - b_squared_;
+  }
+  /// Goes inwards to the first pixel that belongs to the oval.
+  constexpr void settle() noexcept {
+    for (; column_ > row_; narrower())
+      if (error_ <= column_ - b_squared_) return;
+    // Where the curve is flat it stays so, and a pixel's limit is its row's.
+    for (const Int limit = row_ - a_squared_; error_ > limit;) narrower();
   }
 
   /// To the pixel of the next row away from the middle.
@@ -76,7 +89,6 @@ class OvalWalk {
   }
 
  private:
-  using Word = std::make_unsigned_t<Int>;
   static constexpr Word word(std::int64_t n) noexcept { return static_cast<Word>(n); }
   static constexpr Int product(Int n, Int m) noexcept { return n * m; }
 

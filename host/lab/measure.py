@@ -46,7 +46,7 @@ def build(cores):
             compiler = core.tools + "g++"
             if shutil.which(compiler) is None:
                 raise MissingTool(f"{compiler} isn't installed (packages in firmware/packages)")
-            run("tests/target/build_cross", core.name, "lab-count")
+            run(ROOT / "tests/target/build_cross", core.name, "lab-count")
 
 
 def families(work):

@@ -36,11 +36,12 @@ class StackDepth {
     for (std::uintptr_t at = top - most; at < top; at += word) *cell(at) = colour;
   }
 
-  /// Bytes used below `caller`, a stack pointer, since paint().
+  /// Bytes used below `caller`, the stack pointer of whoever called paint(), since then.
   [[gnu::noinline, gnu::noclone]] static std::uint32_t since_paint(std::uintptr_t caller) noexcept {
-    const std::uintptr_t top = stack_pointer() - red_zone;
-    std::uintptr_t at = top - most;
-    while (at < top && *cell(at) == colour) at += word;
+    // paint() began a little below its caller, so its end is left out.
+    constexpr std::uintptr_t margin = 256;
+    std::uintptr_t at = caller - most + margin;
+    while (at < caller && *cell(at) == colour) at += word;
     return static_cast<std::uint32_t>(caller - at);
   }
 

@@ -101,19 +101,19 @@ def family_chart(rivals, per, title):
 
 def turning_chart(families):
     """README's chart: for families whose ranking turns round, each rung's cost on two cores, joined by a line.
-    `families`: (title, left core, right core, [(rung, left cost, right cost, note)])."""
+    `families`: (title, left core, right core, [(rung, left cost, right cost)])."""
     figure, all_axes = plt.subplots(1, len(families), figsize=(3.0 * len(families), 3.2))
     for axes, (title, left, right, rungs) in zip([all_axes] if len(families) == 1 else all_axes, families):
-        for number, (rung, left_cost, right_cost, note) in enumerate(rungs):
+        for number, (rung, left_cost, right_cost) in enumerate(rungs):
             colour = ACCENT if number % 2 == 0 else SECOND
             axes.plot([0, 1], [left_cost, right_cost], "o-", color=colour, linewidth=1.6)
-            axes.annotate(f"{rung}\n{note}", (1, right_cost), xytext=(6, 0), textcoords="offset points", va="center",
+            axes.annotate(rung, (1, right_cost), xytext=(6, 0), textcoords="offset points", va="center",
                           fontsize=7, color=colour)
         axes.set_yscale("log")
         axes.set_xticks([0, 1], [left, right])
         axes.set_xlim(-0.15, 2.1)
         axes.yaxis.set_minor_locator(matplotlib.ticker.NullLocator())
-        costs = [cost for _, a, b, _ in rungs for cost in (a, b)]
+        costs = [cost for _, a, b in rungs for cost in (a, b)]
         ticks = [m * 10 ** e for e in range(0, 8) for m in (1, 2, 5) if min(costs) / 1.3 <= m * 10 ** e <= max(costs) * 1.3]
         axes.set_yticks(ticks, [_short(tick) for tick in ticks])
         axes.set_title(title, fontsize=9)

@@ -56,8 +56,9 @@ class Random {
   std::uint32_t state_;
 };
 
-/// What a family that draws draws on: 320x240, 8 bits a pixel, cleared before each count.
+/// What a family that draws draws on: 320x240, 8 bits a pixel.
 [[nodiscard]] image::Surface<image::Indexed8> canvas() noexcept;
+void clear_canvas() noexcept;
 
 /// The rung that does nothing: what the harness costs.
 struct Nothing {
@@ -92,6 +93,13 @@ template <FamilyOfRungs F>
   } else {
     return "call";
   }
+}
+
+/// Makes the canvas what a load begins with: empty, or what `F::prepare(load)` draws then. Not counted.
+template <FamilyOfRungs F>
+void prepare(int load) noexcept {
+  clear_canvas();
+  if constexpr (requires { F::prepare(load); }) F::prepare(load);
 }
 
 /// The bound of a rung under a load.

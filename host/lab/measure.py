@@ -133,7 +133,7 @@ def weigh(core, symbol):
         sizes = run(core.tools + "size", "-A", image)
     section = {line.split()[0]: int(line.split()[1]) for line in sizes.splitlines() if line.startswith(".")}
     code = section.get(".text", 0)
-    tables = sum(section.get(name, 0) for name in (".rodata", ".srodata", ".data", ".sdata"))
+    tables = section.get(".rodata", 0) + section.get(".srodata", 0)
     return code, tables
 
 
@@ -181,7 +181,7 @@ def _weights(work, all_families, cores):
                 if symbol is None:
                     raise Failure(f"{core.name}: no loop of {family['name']} calls {rung}")
                 pieces[core.name, family["name"], rung] = (
-                    ("weigh", *key, symbol), lambda core=core, symbol=symbol: weigh(core, symbol))
+                    ("weigh", 2, *key, symbol), lambda core=core, symbol=symbol: weigh(core, symbol))
     weighed = work.do("weights", pieces)
     return {(core, family, rung): [max(0, own - loop) for own, loop in zip(bytes_of, weighed[core, family, "Nothing"])]
             for (core, family, rung), bytes_of in weighed.items() if rung != "Nothing"}

@@ -19,9 +19,9 @@ image::Surface<image::Indexed8> canvas() noexcept {
   return image::Surface<image::Indexed8>::over(pixels, size).value();
 }
 
-namespace detail {
-
 void clear_canvas() noexcept { pixels.fill(0); }
+
+namespace detail {
 
 std::uint32_t digest_of(std::span<const std::uint32_t> numbers) noexcept {
   std::uint32_t sum = 2'166'136'261U;

@@ -35,15 +35,14 @@ template <FamilyOfRungs F, class R>
 
 namespace detail {
 
-/// Clears the canvas, and before that adds it to a digest.
-void clear_canvas() noexcept;
 [[nodiscard]] std::uint32_t digest_of(std::span<const std::uint32_t> results) noexcept;
 
 inline std::array<std::uint32_t, most_calls> results{};
 
 template <FamilyOfRungs F, class R>
-void count(const typename F::Input* inputs, int calls) noexcept {
-  clear_canvas();
+void count(const typename F::Input* inputs, int load) noexcept {
+  const int calls = F::loads[load].calls;
+  prepare<F>(load);
   const std::uintptr_t here = stack_pointer();
   StackDepth::paint();
   probe::begin();
@@ -59,8 +58,8 @@ void count_all(number::Family<R...> /*rungs*/) noexcept {
   for (int load = 0; load < static_cast<int>(std::size(F::loads)); ++load) {
     const int calls = F::loads[load].calls;
     for (int i = 0; i < calls; ++i) inputs[static_cast<std::size_t>(i)] = F::input(load, i);
-    count<F, Nothing>(inputs.data(), calls);
-    (count<F, R>(inputs.data(), calls), ...);
+    count<F, Nothing>(inputs.data(), load);
+    (count<F, R>(inputs.data(), load), ...);
   }
 }
 

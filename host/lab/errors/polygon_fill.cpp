@@ -21,11 +21,9 @@ struct PolygonFillErrors {
   template <class R>
   static long double error(int load, const Case& c) {
     const Family::Input polygon(load, static_cast<std::uint32_t>(c[0]));
-    auto picture = lab::canvas();
+    lab::clear_canvas();
+    const auto picture = lab::canvas();
     const auto bounds = picture.bounds();
-    for (int y = 0; y < bounds.height; ++y) {
-      for (int x = 0; x < bounds.width; ++x) picture.set(x, y, 0);
-    }
     if (Family::run<R>(polygon) != 1) return bounds.width * bounds.height;
     const auto vertices = polygon.vertices();
     const oracle::Contours contours{{vertices.begin(), vertices.end()}};

@@ -155,6 +155,7 @@ template <class E, class R>
         E::template error<R>(load, numbers_of<std::tuple_size_v<typename E::Case>>(input)));
   };
   rung.draw = [](int load) {
+    prepare<F>(load);
     for (int i = 0; i < F::loads[load].calls; ++i) F::template run<R>(F::input(load, i));
   };
   return rung;

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+//
+// By how much the area of a clipped polygon is off, against the exact area in rational numbers.
+#include <host/lab/errors/report.hpp>
+#include <tests/oracle/boolean.hpp>
+
+#include <cmath>
+#include <firmware/lab/families/polygon_clip.hpp>
+
+namespace {
+
+/// The area that lies inside, even-odd, in 1/65536 pixel.
+mpq_class exact_area(const lab::WindowAndPolygon& input) {
+  const auto contours = [](auto vertices) { return oracle::rational({{vertices.begin(), vertices.end()}}); };
+  return oracle::combined_area(contours(input.polygon()), contours(input.window()),
+                               [](bool in_polygon, bool in_window) { return in_polygon && in_window; });
+}
+
+mpq_class area_of(const lab::ClippedContours& left) {
+  oracle::RationalContours contours;
+  std::size_t begin = 0;
+  for (const int length : left.lengths) {
+    contours.emplace_back();
+    for (std::size_t i = begin; i < begin + static_cast<std::size_t>(length); ++i) {
+      if (left.exact.empty()) {
+        contours.back().push_back({left.rounded[i].x, left.rounded[i].y});
+      } else {
+        const auto& v = left.exact[i];
+        mpq_class x(v.x, v.denominator);
+        mpq_class y(v.y, v.denominator);
+        x.canonicalize();
+        y.canonicalize();
+        contours.back().push_back({x, y});
+      }
+    }
+    begin += static_cast<std::size_t>(length);
+  }
+  const mpq_class area = oracle::signed_area(contours);
+  return area < 0 ? mpq_class(-area) : area;
+}
+
+struct PolygonClipErrors {
+  using Family = lab::PolygonClip;
+  using Case = std::array<std::int64_t, 1>;  // the number that window and polygon follow from
+
+  template <class Visit>
+  static std::string cases(int load, host::lab::Effort effort, Visit&& visit) {
+    const std::int64_t count = effort.random(load == 0 ? 20'000 : 1'000);
+    for (std::int64_t seed = 1; seed <= count; ++seed) visit(Case{seed});
+    return "polygons of the numbers 1 to " + std::to_string(count) + ", those that touch the window left out";
+  }
+  template <class R>
+  static long double error(int load, const Case& c) {
+    const Family::Input input(Family::vertices_of(load), static_cast<std::uint32_t>(c[0]));
+    const lab::ClippedContours left = R{}(input);
+    // Greiner and Hormann's walk says so where the operands touch; that isn't an error.
+    if (!left.ok) return std::is_same_v<R, lab::GreinerHormann> ? 0 : 1e6L;
+    const mpq_class off = area_of(left) - exact_area(input);
+    return std::fabs(static_cast<long double>(off.get_d())) / 65536;
+  }
+};
+
+}  // namespace
+
+host::lab::FamilyReport host::lab::family_report() { return report<PolygonClipErrors>(); }

@@ -110,12 +110,12 @@ class PixelView {
   [[nodiscard]] constexpr int slot_at(int x) const noexcept { return slot_of(x) & (F::pixels_per_byte - 1); }
 
   /// The index at (x, y). Precondition: (x, y) is in `bounds()`.
-  [[nodiscard]] constexpr unsigned get(int x, int y) const noexcept {
+  [[nodiscard, gnu::always_inline]] constexpr unsigned get(int x, int y) const noexcept {
     if constexpr (F::bits == 8) return *byte_at(x, y);
     return static_cast<unsigned>(*byte_at(x, y) >> shift_at(x)) & F::max_index;
   }
   /// Writes the index at (x, y). Precondition: (x, y) is in `bounds()`.
-  constexpr void set(int x, int y, unsigned index) const noexcept requires(!std::is_const_v<Byte>) {
+  [[gnu::always_inline]] constexpr void set(int x, int y, unsigned index) const noexcept requires(!std::is_const_v<Byte>) {
     Byte* const byte = byte_at(x, y);
     if constexpr (F::bits == 8) {
       *byte = static_cast<std::uint8_t>(index);

@@ -11,6 +11,7 @@ namespace {
 using intaglio::image::copy_bytes_but;
 using intaglio::image::fill_bytes;
 using intaglio::image::flip_bytes;
+using intaglio::image::map_bytes;
 using intaglio::image::Pattern;
 
 TEST(Fill, EveryAlignmentAndLengthWritesTheRunAndNothingElse) {
@@ -45,6 +46,20 @@ TEST(CopyBytesBut, EveryAlignmentAndLengthCopiesAllOthersAndNothingElse) {
         copy_bytes_but(copied.data() + begin, source.data() + from, count, Pattern(0x80));
         ASSERT_EQ(copied, expected) << begin << " " << from << " " << count;
       }
+}
+
+TEST(MapBytes, EveryLengthIsMappedAndNothingElseEvenWhereRunsOverlap) {
+  std::vector<std::uint8_t> table(256);
+  for (unsigned i = 0; i < table.size(); ++i) table[i] = static_cast<std::uint8_t>(7 * i + 3);
+  for (unsigned distance = 0; distance < 20; ++distance)
+    for (unsigned count = 0; count < 40; ++count) {
+      std::vector<std::uint8_t> bytes(70);
+      for (unsigned i = 0; i < bytes.size(); ++i) bytes[i] = static_cast<std::uint8_t>(i * i);
+      std::vector<std::uint8_t> expected = bytes;
+      for (unsigned i = 0; i < count; ++i) expected[2 + i] = table[bytes[2 + distance + i]];
+      map_bytes(bytes.data() + 2, bytes.data() + 2 + distance, static_cast<int>(count), table.data());
+      ASSERT_EQ(bytes, expected) << distance << " " << count;
+    }
 }
 
 TEST(CopyBytesBut, RunsThatOverlapAreReadFirst) {

@@ -17,7 +17,9 @@
 //
 // Cost: `Everything` between views of one format moves whole bytes: by std::memmove, a call a row, where
 // pixels have the same places in their bytes, else each byte joined from two. `ColourKey` does so byte by
-// byte, at 8 bits by words where source and target lie alike in theirs. The other rules go pixel by pixel.
+// byte, at 8 bits by words where source and target lie alike in theirs. `Remap` goes by eights at 8 bits, and
+// a mask of bits over 8 bits a pixel is looked at by bytes: what they hide or show whole costs least. All
+// else goes pixel by pixel.
 #pragma once
 
 #include <intaglio/image/overlap.hpp>
@@ -129,6 +131,10 @@ template <class Rule>
 concept HasMask = requires(const Rule& rule) {
   rule.mask.get(0, 0);
 };
+
+/// One whose mask has a bit a pixel.
+template <class Rule>
+concept HasBitMask = HasMask<Rule> && decltype(Rule::mask)::Format::bits == 1;
 
 /// True if the rule and the source fit each other and the target.
 template <PixelFormat F, PixelFormat G, class Byte, class Rule>
@@ -321,11 +327,43 @@ void blit_bytes(std::uint8_t* to, const std::uint8_t* from, int count, Walk walk
       return;
     }
   }
+  if constexpr (std::same_as<Rule, Remap>) {
+    if (walk == Walk::forwards) {
+      map_bytes(to, from, count, rule.table.data());
+      return;
+    }
+  }
   const int step = walk == Walk::backwards ? -1 : 1;
   int at = walk == Walk::backwards ? count - 1 : 0;
   for (; count > 0; --count, at += step) {
     const unsigned index = from[at];
     if (rule.shows(index)) to[at] = static_cast<std::uint8_t>(rule.map(index));
+  }
+}
+
+/// Copies, forwards, those bytes of a row, a pixel each, whose bit of a mask is set; the first one's is pixel
+/// (x, y) of the mask.
+template <PixelFormat M, class Rule>
+void blit_bytes_masked(std::uint8_t* to, const std::uint8_t* from, int count, const Picture<M>& mask, int x,
+                       int y, const Rule rule) noexcept {
+  constexpr bool from_top = M::order == BitOrder::msb_first;
+  const std::uint8_t* byte = mask.byte_at(x, y);
+  for (int begin = -mask.slot_at(x); begin < count; begin += 8) {
+    unsigned bits = *byte++;
+    if (begin < 0) bits &= M::mask_from(-begin);
+    if (count - begin < 8) bits &= ~M::mask_from(count - begin);
+    if (bits == 255U) {
+      blit_bytes(to + begin, from + begin, 8, Walk::forwards, rule);
+      continue;
+    }
+    if (from_top) bits <<= 24U;
+    for (int at = begin; bits != 0; ++at) {
+      const bool set = (bits & (from_top ? 1U << 31U : 1U)) != 0;
+      bits = from_top ? bits << 1U : bits >> 1U;
+      if (!set) continue;
+      const unsigned index = from[at];
+      if (rule.shows(index)) to[at] = static_cast<std::uint8_t>(rule.map(index));
+    }
   }
 }
 
@@ -339,6 +377,15 @@ void blit_row(const Surface<F> target, linear::Point at, const Picture<G> source
     blit_bytes(target.byte_at(at.x, at.y), source.byte_at(corner.x + from.x, corner.y + from.y), width, walk,
                rule);
     return;
+  }
+  if constexpr (F::bits == 8 && G::bits == 8 && HasBitMask<Rule>) {
+    if (walk == Walk::forwards) {
+      const linear::Rect& corner = source.bounds();
+      const linear::Rect& of_mask = rule.mask.bounds();
+      blit_bytes_masked(target.byte_at(at.x, at.y), source.byte_at(corner.x + from.x, corner.y + from.y),
+                        width, rule.mask, of_mask.x + from.x, of_mask.y + from.y, rule.rule);
+      return;
+    }
   }
   const int step = walk == Walk::backwards ? -1 : 1;
   int column = walk == Walk::backwards ? width - 1 : 0;

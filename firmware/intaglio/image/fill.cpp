@@ -183,6 +183,21 @@ void copy_bytes_but(std::uint8_t* first, const std::uint8_t* source, int count, 
   for (; count > 0; --count) copy_but(first++, *source++, pattern);
 }
 
+void map_bytes(std::uint8_t* first, const std::uint8_t* source, int count,
+               const std::uint8_t* table) noexcept {
+  for (; count >= 8; count -= 8, first += 8, source += 8) {
+    first[0] = table[source[0]];
+    first[1] = table[source[1]];
+    first[2] = table[source[2]];
+    first[3] = table[source[3]];
+    first[4] = table[source[4]];
+    first[5] = table[source[5]];
+    first[6] = table[source[6]];
+    first[7] = table[source[7]];
+  }
+  for (; count > 0; --count) *first++ = table[*source++];
+}
+
 void Replace::run(const MaskedRun& run, Pattern pattern) noexcept { masked_run<Replace>(run, pattern); }
 void Replace::rows(std::uint8_t* first, int count, int rows, int stride, Pattern pattern) noexcept {
   byte_rows<Replace>(first, count, rows, stride, pattern);

@@ -36,6 +36,11 @@ void flip_bytes(std::uint8_t* first, int count, Pattern pattern) noexcept;
 /// may overlap if `first` lies before `source`.
 void copy_bytes_but(std::uint8_t* first, const std::uint8_t* source, int count, Pattern pattern) noexcept;
 
+/// Stores table[i] for each of `count` >= 0 bytes i from `source`. The runs may overlap if `first` lies
+/// before `source`.
+void map_bytes(std::uint8_t* first, const std::uint8_t* source, int count,
+               const std::uint8_t* table) noexcept;
+
 /// A run of whole bytes between two that it may share with its neighbours.
 struct MaskedRun {
   std::uint8_t* first = nullptr;  ///< The byte in which the run begins.

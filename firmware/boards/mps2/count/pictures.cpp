@@ -21,6 +21,25 @@ constexpr auto checkered = [] {
 }();
 constexpr auto checkers = image::Picture<Format>::over(checkered, {64, 64}).value();
 
+// A mask: a disc that fills it nearly.
+constexpr auto disc_bits = [] {
+  std::array<std::uint8_t, 64 * 8> bits{};
+  for (int y = -63; y <= 63; y += 2)
+    for (int x = -63; x <= 63; x += 2)
+      if (x * x + y * y < 60 * 60)
+        bits[static_cast<std::size_t>((y + 63) * 4 + (x + 63) / 16)] |=
+            static_cast<std::uint8_t>(128 >> (x + 63) / 2 % 8);
+  return bits;
+}();
+constexpr auto disc = image::Picture<image::Indexed1>::over(disc_bits, {64, 64}).value();
+
+// A table for 8 bits a pixel.
+constexpr auto complements = [] {
+  std::array<std::uint8_t, 256> table{};
+  for (std::size_t i = 0; i < table.size(); ++i) table[i] = static_cast<std::uint8_t>(255 - i);
+  return table;
+}();
+
 raster::FloodSpan flood_spans[64];
 
 constexpr Row rows[] = {
@@ -55,6 +74,14 @@ constexpr Row rows[] = {
     {"blit 64x64 through a mask",
      [](const Pen& pen) {
        use(image::blit(pen.surface(), opaque(Point{101, 77}), checkers, image::Masked{checkers}));
+     }},
+    {"blit 64x64 through a mask of bits",
+     [](const Pen& pen) {
+       use(image::blit(pen.surface(), opaque(Point{101, 77}), checkers, image::Masked{disc}));
+     }},
+    {"blit 64x64 through a table",
+     [](const Pen& pen) {
+       use(image::blit(pen.surface(), opaque(Point{101, 77}), checkers, image::Remap{complements}));
      }},
     {"flood 100x60",
      [](const Pen& pen) {

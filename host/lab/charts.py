@@ -47,7 +47,11 @@ def svg_of(figure, title, standalone=False):
 
 
 def _short(number):
-    return f"{number:.3g}" if number < 1000 else f"{number:,.0f}"
+    """A few characters: 0.02, 5, 200, 50k, 2M."""
+    for limit, unit in ((1e6, "M"), (1e3, "k")):
+        if number >= limit:
+            return f"{number / limit:.3g}{unit}"
+    return f"{number:.3g}"
 
 
 def _finish_costs(axes, costs):

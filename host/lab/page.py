@@ -10,7 +10,6 @@ import jinja2
 from PIL import Image, ImageChops
 
 import charts
-import table
 from cores import CORES
 
 TEMPLATE = Path(__file__).resolve().parent / "report.html.jinja"
@@ -53,6 +52,12 @@ def turns(rows, factor=1.3):
                   key=lambda found: -found[7] / found[6] * found[8] / found[9])
 
 
+def figure(number):
+    """A cost as a reader wants it: three digits or whole, thousands apart."""
+    number = float(number)
+    return f"{number:,.0f}" if number >= 100 else f"{number:.1f}" if number >= 10 else f"{number:.2f}"
+
+
 def png_data(image):
     buffer = io.BytesIO()
     image.save(buffer, "png", optimize=True)
@@ -89,7 +94,8 @@ def _family(family, rows):
             if not rivals:
                 continue
             title = f"{family['name']}, {load['name']}, {core.name}"
-            per_core.append({"core": core, "rows": [{**row, "cycles": f"{cycles(row):.1f}"} for row in rivals],
+            per_core.append({"core": core, "rows": [{**row, "cycles": cycles(row)} for row in rivals],
+                             "loop": rivals[0]["loop"],
                              "open": core.name in SHOWN_FIRST,
                              "chart": charts.family_chart(rivals, family["per"], title)})
         shown = pictures(family, load["name"], per_core[0]["rows"]) if per_core else []
@@ -105,6 +111,7 @@ def write(path, families, rows, errors, fragments, compilers):
         points.setdefault(family, {})[load] = f"{error['points']:,} points: {error['how']}"
     environment = jinja2.Environment(loader=jinja2.FileSystemLoader(TEMPLATE.parent), autoescape=True,
                                      undefined=jinja2.StrictUndefined, trim_blocks=True, lstrip_blocks=True)
+    environment.filters["figure"] = figure
     titles = {name: family["title"] for name, family in families.items()}
     page = environment.get_template(TEMPLATE.name).render(
         families=[_family(family, [row for row in rows if row["family"] == name]) for name, family in families.items()],
@@ -112,8 +119,3 @@ def write(path, families, rows, errors, fragments, compilers):
         light=charts.LIGHT, dark=charts.DARK, compilers=compilers, count=len(rows))
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text(page)
-
-
-def staircase(rows):
-    """The rungs worth having of rows that compete, cheapest first."""
-    return table.front(rows)

@@ -12,7 +12,8 @@ def _text(number):
 
 
 def rows_of(all_families, costs, errors):
-    """All rows, as dicts from column to text; `metric` is the load."""
+    """All rows, as dicts from column to text; `metric` is the load. Beside the columns each has `loop`, what the loop
+    around the rung costs, which was subtracted."""
     rows = []
     for (family, load, rung, core), cost in costs.items():
         described = all_families[family]
@@ -24,7 +25,7 @@ def rows_of(all_families, costs, errors):
             "bound": _text(of_rung["bounds"][index]), "worst": _text(error["worst"]), "mean": _text(error["mean"]),
             **{name: f"{cost[name]:.2f}" for name in ("instructions", "loads", "stores", "multiplies", "divides")},
             **{name: str(cost[name]) for name in ("code_bytes", "table_bytes", "stack_bytes")},
-            "worst_input": error["worst_input"]})
+            "worst_input": error["worst_input"], "loop": cost["loop_instructions"]})
     note_dominated(rows)
     return rows
 
@@ -55,7 +56,7 @@ def front(rivals):
 def write(path, rows):
     path.parent.mkdir(parents=True, exist_ok=True)
     with path.open("w", newline="") as file:
-        table = csv.DictWriter(file, COLUMNS, lineterminator="\n")
+        table = csv.DictWriter(file, COLUMNS, lineterminator="\n", extrasaction="ignore")
         table.writeheader()
         table.writerows(rows)
 

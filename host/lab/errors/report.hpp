@@ -7,6 +7,8 @@
 // are the worst error, where it was first met, and the mean over all points.
 #pragma once
 
+#include <intaglio/number/type_name.hpp>
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -80,22 +82,6 @@ struct FamilyReport {
   std::vector<RungReport> rungs;
 };
 
-/// A type's name without its namespaces: what a rung is called.
-template <class T>
-[[nodiscard]] std::string type_name() {
-  const std::string_view text = __PRETTY_FUNCTION__;  // "... [with T = ns::Name; ..." or "... [T = ns::Name]"
-  const std::size_t begin = text.find("T = ") + 4;
-  std::size_t end = begin;
-  std::size_t start = begin;
-  // A template's arguments stay as they are.
-  for (int depth = 0; end < text.size() && (depth > 0 || (text[end] != ';' && text[end] != ']')); ++end) {
-    if (text[end] == '<') ++depth;
-    if (text[end] == '>') --depth;
-    if (depth == 0 && text[end] == ':') start = end + 1;
-  }
-  return std::string(text.substr(start, end - start));
-}
-
 namespace detail {
 
 template <std::size_t N>
@@ -144,7 +130,7 @@ template <class E, class R>
 [[nodiscard]] RungReport rung_report() {
   using F = typename E::Family;
   RungReport rung;
-  rung.name = type_name<R>();
+  rung.name = number::type_name<R>();
   if constexpr (requires { R::slack; }) rung.slack = R::slack;
   for (int load = 0; load < static_cast<int>(std::size(F::loads)); ++load) {
     rung.bounds.push_back(bound<F, R>(load));
@@ -177,7 +163,7 @@ template <class E>
   FamilyReport family{std::string(F::name),
                       std::string(F::title),
                       std::string(per<F>()),
-                      type_name<typename F::Default>(),
+                      std::string(number::type_name<typename F::Default>()),
                       {},
                       detail::rung_reports<E>(typename F::Rungs{})};
   for (int load = 0; load < static_cast<int>(std::size(F::loads)); ++load) {

@@ -37,11 +37,16 @@ void Edge::start(const linear::SubPoint& top, const linear::SubPoint& bottom, in
   const auto [step, remainder] = divide(dx, height_);
   step_ = -step;
   remainder_ = remainder;
-  const std::int64_t numerator = std::int64_t{dx} * (row * linear::subpixel_one - top.y) -
-                                 std::int64_t{top.x & (linear::subpixel_one - 1)} * height_;
+  x_ = top.x >> linear::subpixel_bits;
+  error_ = -height_;
+  const int below = row * linear::subpixel_one - top.y;
+  const int right = top.x & (linear::subpixel_one - 1);
+  // An edge from a pixel's centre stands there.
+  if ((below | right) == 0) return;
+  const std::int64_t numerator = std::int64_t{dx} * below - std::int64_t{right} * height_;
   const auto [columns, error] = divide(numerator >> linear::subpixel_bits, height_);
-  x_ = (top.x >> linear::subpixel_bits) - columns;
-  error_ = error - height_;
+  x_ -= columns;
+  error_ += error;
 }
 
 }  // namespace intaglio::raster

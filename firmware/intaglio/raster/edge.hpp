@@ -44,8 +44,9 @@ class Edge {
   /// The first pixel of this row whose centre isn't left of the edge.
   [[nodiscard]] constexpr int x() const noexcept { return x_; }
 
-  /// Goes to the row below. The result means nothing past the edge's last row.
-  constexpr void next() noexcept {
+  /// Goes to the row below. The result means nothing past the edge's last row. Always inlined: optimising for
+  /// size, compilers would keep the edge in memory and call this for each row.
+  [[gnu::always_inline]] constexpr void next() noexcept {
     int x = x_ + step_;
     int error = error_ + remainder_;
     if (error >= 0) {

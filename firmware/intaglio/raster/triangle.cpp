@@ -2,7 +2,6 @@
 #include <intaglio/raster/triangle.hpp>
 
 #include <algorithm>
-#include <cstddef>
 #include <cstdint>
 #include <utility>
 
@@ -52,13 +51,13 @@ Status triangle_rows(const std::array<linear::SubPoint, 3>& vertices, const line
 
 Status triangle_rows(const std::array<linear::Point, 3>& vertices, const linear::Rect& clip,
                      TriangleRows& rows) noexcept {
-  std::array<linear::SubPoint, 3> fine;
-  for (std::size_t i = 0; i < 3; ++i) {
-    rows.y_begin = rows.y_end = 0;
-    if (!linear::in_domain(vertices[i])) return {Error::out_of_domain, Argument::point};
-    fine[i] = linear::to_subpixel(vertices[i]);
-  }
-  return triangle_rows(fine, clip, rows);
+  rows.y_begin = rows.y_end = 0;
+  for (const linear::Point vertex : vertices)
+    if (!linear::in_domain(vertex)) return {Error::out_of_domain, Argument::point};
+  return triangle_rows(
+      std::array<linear::SubPoint, 3>{linear::to_subpixel(vertices[0]), linear::to_subpixel(vertices[1]),
+                                      linear::to_subpixel(vertices[2])},
+      clip, rows);
 }
 
 }  // namespace intaglio::raster::detail

@@ -98,9 +98,15 @@ def _count_in_callgrind(core, folder):
 
 
 def count(core):
-    """What one core counts, a list of (counts, stack, digest) in the order of slots()."""
-    with tempfile.TemporaryDirectory() as name:
-        lines = (_count_in_qemu if core.machine else _count_in_callgrind)(core, Path(name))
+    """What one core counts, a list of (counts, stack, digest) in the order of slots(). Counted twice: a count that
+    doesn't repeat is none."""
+    def lines_of_one():
+        with tempfile.TemporaryDirectory() as name:
+            return (_count_in_qemu if core.machine else _count_in_callgrind)(core, Path(name))
+
+    lines = lines_of_one()
+    if lines != lines_of_one():
+        raise Failure(f"{core.name}: two runs count differently")
     return [([int(number) for number in lines[i].split()], int(lines[i + 1]), int(lines[i + 2]))
             for i in range(0, len(lines), 3)]
 

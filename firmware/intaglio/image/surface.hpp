@@ -115,7 +115,8 @@ class PixelView {
     return static_cast<unsigned>(*byte_at(x, y) >> shift_at(x)) & F::max_index;
   }
   /// Writes the index at (x, y). Precondition: (x, y) is in `bounds()`.
-  [[gnu::always_inline]] constexpr void set(int x, int y, unsigned index) const noexcept requires(!std::is_const_v<Byte>) {
+  [[gnu::always_inline]] constexpr void set(int x, int y, unsigned index) const noexcept
+      requires(!std::is_const_v<Byte>) {
     Byte* const byte = byte_at(x, y);
     if constexpr (F::bits == 8) {
       *byte = static_cast<std::uint8_t>(index);

@@ -1,19 +1,16 @@
-#!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """The lab's table and the choices from it: who dominates whom, what is said of loose bounds, of growth, of rows that came
 or went, and what the library is given.
 """
-import sys
 import tempfile
 import unittest
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / 'host/lab'))
-import choose  # noqa: E402
-import shipped  # noqa: E402
-import table  # noqa: E402
-from cores import CORES  # noqa: E402
-from measure import Failure  # noqa: E402
+import choose
+import shipped
+import table
+from cores import CORES
+from measure import Failure
 
 
 def row(rung, instructions, worst, **others):

@@ -14,7 +14,7 @@ std::string_view language_help() {
   aa off | aa METHOD [light] smooth edges: area (exact), pitteway (convex), abuffer4x4, abuffer4x8, adaptive2 to 8,
                              stochastic2 to 8, box2 to 8 (samples a side), bartlettSxW (S = 2 to 5 or 7 samples a side,
                              W to 8 a window). Short: box, adaptive, stochastic (4 samples a side), abuffer,
-                             bartlett3, 5 and 7. Polylines, round ends and boolean need box or bartlett; dash can't.
+                             bartlett3, 5 and 7. Polylines and boolean need box or bartlett; dash can't.
                              Colours are mixed by their codes, or as light, to the palette's nearest; 1 bit is
                              dithered. Curves are drawn as polygons not 1/256 pixel off, but for box and bartlett
   clip X Y W H | clip none   draw only inside

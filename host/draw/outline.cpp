@@ -2,6 +2,7 @@
 #include <host/draw/outline.hpp>
 #include <intaglio/raster/oval.hpp>
 #include <intaglio/raster/round_rect.hpp>
+#include <intaglio/raster/smooth_line.hpp>
 #include <intaglio/raster/thick_line.hpp>
 
 #include <algorithm>
@@ -92,8 +93,13 @@ struct AsPolygon {
     return quadrilateral(l.from, l.to, linear::subpixel_one, raster::Cap::butt);
   }
   Result operator()(const ThickLine& l) const {
-    if (l.cap == raster::Cap::round) return std::nullopt;
-    return quadrilateral(l.from, l.to, l.width, l.cap);
+    if (l.cap != raster::Cap::round) return quadrilateral(l.from, l.to, l.width, l.cap);
+    std::array<SubPoint, raster::smooth_line_vertices> outline{};
+    const auto count = raster::detail::round_line_outline(l.from, l.to, l.width, outline);
+    status = count.status();
+    if (!count.ok()) return Polygon{};
+    const int vertices = static_cast<int>(count.value());
+    return Polygon{raster::FillRule::non_zero, {outline.begin(), outline.begin() + vertices}, {vertices}, {}};
   }
   Result operator()(const Triangle& t) const {
     return Polygon{raster::FillRule::non_zero, {t.a, t.b, t.c}, {3}, {}};

@@ -186,7 +186,7 @@ void line(Input& in, const Scene& scene) {
   const SubPoint b = scene.sub_point(in);
   const int width = in.sub_coordinate(0, 32);
   const auto cap = static_cast<Cap>(in.choice(4));
-  std::vector<CoverageCell> cells(coverage_cells(4, scene.window.width));
+  std::vector<CoverageCell> cells(coverage_cells(smooth_line_vertices, scene.window.width));
   const Covered whole =
       check_coverage(in, scene, [&](auto& sink) { return draw_smooth_line(sink, a, b, width, cap, cells); });
   const Covered back =

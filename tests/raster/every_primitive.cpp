@@ -136,6 +136,11 @@ TEST(EveryPrimitive, CoversEachPixelOnceAndNoClipOrBandChangesALevel) {
          std::array<CoverageCell, coverage_cells(4, width)> workspace;
          return draw_smooth_line(s, f.places[0], f.places[1], f.width * 60, Cap::square, workspace);
        }},
+      {"smooth line with round ends",
+       [](LevelSink& s, const Figure& f) {
+         std::array<CoverageCell, coverage_cells(smooth_line_vertices, width)> workspace;
+         return draw_smooth_line(s, f.places[0], f.places[1], f.width * 60, Cap::round, workspace);
+       }},
       {"convex polygon by Pitteway's way",
        [](LevelSink& s, const Figure& f) { return fill_convex_pitteway(s, std::span(f.places).first<3>()); }},
       {"polygon sampled adaptively",

@@ -107,6 +107,8 @@ TEST(DrawSmooth, RoundShapesAreSymmetricAndHaveTheirArea) {
                                   {"roundrect 4 3 31 23 0", 31 * 23 - 29 * 21, 0},
                                   {"fillroundrect 4 3 31 23 6", 31 * 23 - (4 - pi) * 6.5 * 6.5, 2 * pi * 6.5},
                                   {"pie 19 14 12 0 70000", pi * 12.5 * 12.5, 2 * pi * 12.5},
+                                  {"thickline 9 14 29 14 11 round", 20 * 11 + pi * 5.5 * 5.5, 2 * pi * 5.5},
+                                  {"thickline 19 14 19 14 25 round", pi * 12.5 * 12.5, 2 * pi * 12.5},
                                   {"fillroundrect 4 3 31 23 0", 31 * 23, 0}};
   for (const char* name : {"area", "box3", "box4", "box7", "box8", "bartlett3x5", "adaptive8", "stochastic8"})
     for (const Shape& shape : shapes) {
@@ -238,8 +240,7 @@ TEST(DrawSmooth, SaysWhatItCannotDo) {
            Mistake{"aa area\nring 5 5 3 2", "line 3: ring: radius mismatched"},
            Mistake{"aa area\nellipsepie 5 5 3 -2 1 1", "line 3: ellipsepie: radius out of domain"},
            Mistake{"aa area\nroundrect 5 5 3 -2 -1", "line 3: roundrect: radius out of domain"},
-           Mistake{"aa area\nthickline 0 0 9 9 3 round",
-                   "line 3: thickline: aa area doesn't draw this; box4 may"},
+           Mistake{"aa area\nthickline 0 0 9 9 -3 round", "line 3: thickline: width out of domain"},
            Mistake{"aa pitteway\npolygon evenodd 0 0 9 0 9 9 / 1 1 2 2 3 3",
                    "line 3: polygon: aa pitteway draws convex polygons only"},
            Mistake{"aa pitteway\npolygon evenodd 0 0 9 0 2 2 0 9", "line 3: polygon: vertices malformed"},

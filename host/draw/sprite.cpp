@@ -2,6 +2,7 @@
 #include <host/draw/sprite.hpp>
 #include <host/png.hpp>
 #include <intaglio/image/blit.hpp>
+#include <intaglio/image/nearest.hpp>
 #include <intaglio/image/rotozoom.hpp>
 #include <intaglio/image/scale.hpp>
 #include <intaglio/image/three_shear.hpp>
@@ -16,22 +17,6 @@ using intaglio::Argument;
 using intaglio::Error;
 using intaglio::Result;
 using intaglio::Status;
-
-std::uint8_t nearest_entry(std::span<const std::uint8_t> rgb, std::span<const std::uint8_t> palette) {
-  std::size_t nearest = 0;
-  int least = 3 * 256 * 256;
-  for (std::size_t entry = 0; 3 * entry < palette.size(); ++entry) {
-    int distance = 0;
-    for (std::size_t channel = 0; channel < 3; ++channel) {
-      const int difference = rgb[channel] - palette[3 * entry + channel];
-      distance += difference * difference;
-    }
-    if (distance >= least) continue;
-    least = distance;
-    nearest = entry;
-  }
-  return static_cast<std::uint8_t>(nearest);
-}
 
 Status show(const Sprite& sprite, const image::Surface<Indexed8>& target) {
   const SpritePicture& picture = *sprite.picture;
@@ -70,7 +55,8 @@ std::shared_ptr<const SpritePicture> read_sprite(const std::string& path,
   sprite->mask.resize(mask_stride * static_cast<std::size_t>(file.height));
   const std::span<const std::uint8_t> rgba(file.rgba);
   for (std::size_t pixel = 0; 4 * pixel < rgba.size(); ++pixel) {
-    sprite->indices.push_back(nearest_entry(rgba.subspan(4 * pixel, 3), palette));
+    const auto rgb = rgba.subspan(4 * pixel, 3);
+    sprite->indices.push_back(image::nearest_entry(palette, {rgb[0], rgb[1], rgb[2]}));
     const std::size_t column = pixel % width;
     if (rgba[4 * pixel + 3] >= 128)
       sprite->mask[pixel / width * mask_stride + column / 8] |= static_cast<std::uint8_t>(128U >> column % 8);

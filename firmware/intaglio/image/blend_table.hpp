@@ -17,9 +17,10 @@
 // on displays with a colour look-up table. Worst known input: palettes without the colours between.
 #pragma once
 
+#include <intaglio/image/mix_rungs.hpp>
+#include <intaglio/image/nearest.hpp>
 #include <intaglio/image/palette.hpp>
 #include <intaglio/image/ramp.hpp>
-#include <intaglio/number/division.hpp>
 #include <intaglio/status.hpp>
 
 #include <cstddef>
@@ -78,34 +79,6 @@ enum class BlendSpace : std::uint8_t {
   code,   ///< sRGB codes.
 };
 
-namespace detail {
-/// The colour `part` / `whole` of the way from one to the other, by codes.
-[[nodiscard]] constexpr Rgb mix_codes(Rgb from, Rgb to, int part, int whole) noexcept {
-  const auto channel = [&](int a, int b) {
-    return static_cast<std::uint8_t>(a + number::round_div((b - a) * part, whole));
-  };
-  return {channel(from.r, to.r), channel(from.g, to.g), channel(from.b, to.b)};
-}
-
-/// The entry of a palette (RGBRGB...) whose colour is nearest.
-[[nodiscard]] constexpr std::uint8_t nearest_entry(std::span<const std::uint8_t> palette,
-                                                   Rgb colour) noexcept {
-  std::uint8_t nearest = 0;
-  int least = 3 * 255 * 255 + 1;
-  for (std::size_t at = 0; at < palette.size(); at += 3) {
-    const int r = palette[at] - colour.r;
-    const int g = palette[at + 1] - colour.g;
-    const int b = palette[at + 2] - colour.b;
-    const int distance = r * r + g * g + b * b;
-    if (distance >= least) continue;
-    least = distance;
-    nearest = static_cast<std::uint8_t>(at / 3);
-    if (distance == 0) break;
-  }
-  return nearest;
-}
-}  // namespace detail
-
 /// Makes the row of one step, 0 < step < steps - 1, of the table of the colour `index` over every entry of a
 /// palette (RGBRGB..., as `Palette::bytes()`): the part of `make_blend_table` for those who have no time for
 /// all of it at once. The row has as many bytes as the palette entries. Errors: as there; position (no such
@@ -126,9 +99,9 @@ namespace detail {
     return Rgb{palette[at], palette[at + 1], palette[at + 2]};
   };
   for (int under = 0; under < entries; ++under)
-    row[static_cast<std::size_t>(under)] = detail::nearest_entry(
+    row[static_cast<std::size_t>(under)] = nearest_entry(
         palette,
-        (space == BlendSpace::code ? detail::mix_codes : mix)(colour(under), colour(index), step, steps - 1));
+        (space == BlendSpace::code ? mix_by<MixCodes> : mix)(colour(under), colour(index), step, steps - 1));
   return {};
 }
 

@@ -85,10 +85,10 @@ def _count_in_qemu(core, folder):
     return lines[:-1]
 
 
-def _count_in_callgrind(core, folder):
+def _count_in_callgrind(folder, *program):
     out = folder / "counts"
     printed = run("valgrind", "-q", "--tool=callgrind", "--cache-sim=yes", f"--callgrind-out-file={out}",
-                  core.build / "bin/lab-count").split()
+                  *program).split()
     lines = []
     for number in range(len(printed) // 2):
         text = (folder / f"counts.{number + 1}").read_text()
@@ -98,22 +98,38 @@ def _count_in_callgrind(core, folder):
 
 
 def count(core):
-    """What one core counts, a list of (counts, stack, digest) in the order of slots(). Counted twice: a count that
-    doesn't repeat is none."""
-    def lines_of_one():
-        with tempfile.TemporaryDirectory() as name:
-            return (_count_in_qemu if core.machine else _count_in_callgrind)(core, Path(name))
+    """What one core counts, a list of (counts, stack, digest) in the order of slots()."""
+    if not core.machine:
+        return count_here(core.build / "bin/lab-count")
+    return _twice(core.name, lambda folder: _count_in_qemu(core, folder))
 
-    lines = lines_of_one()
-    if lines != lines_of_one():
-        raise Failure(f"{core.name}: two runs count differently")
+
+def count_here(*program):
+    """What a program for the desk counts, as count() says it."""
+    return _twice(program[0].name, lambda folder: _count_in_callgrind(folder, *program))
+
+
+def _twice(name, lines_of):
+    """What is counted, parsed. Counted twice: a count that doesn't repeat is none."""
+    runs = []
+    for _ in range(2):
+        with tempfile.TemporaryDirectory() as folder:
+            runs.append(lines_of(Path(folder)))
+    lines = runs[0]
+    if lines != runs[1]:
+        raise Failure(f"{name}: two runs count differently")
     return [([int(number) for number in lines[i].split()], int(lines[i + 1]), int(lines[i + 2]))
             for i in range(0, len(lines), 3)]
 
 
-def kernels(core):
+def archives(core):
+    """What the lab's loops are linked from."""
+    return [core.build / "firmware/lab/libintaglio_lab.a", core.build / "firmware/libintaglio_core.a"]
+
+
+def kernels(core, archive=None):
     """Symbols of the counted loops, by (family's type, rung's name)."""
-    archive = core.build / "firmware/lab/libintaglio_lab.a"
+    archive = archive or archives(core)[0]
     mangled = re.findall(r"^[0-9a-f]+ [TtWw] (_ZN3lab6kernelI\S+)", run(core.tools + "nm", archive), re.MULTILINE)
     names = run(core.tools + "c++filt", *mangled).splitlines()
     found = {}
@@ -131,16 +147,21 @@ def without_namespaces(name):
 
 def weigh(core, symbol):
     """(bytes of code, bytes of constant tables) of what the linker keeps for a symbol."""
+    return sections(core, symbol, archives(core))[:2]
+
+
+def sections(core, symbol, libraries):
+    """(bytes of code, of constant tables, of memory) of what the linker keeps of these libraries for a symbol."""
     with tempfile.TemporaryDirectory() as name:
         image = Path(name) / "image"
         run(core.tools + "g++", *core.flags, "-nostdlib", "-static", "-Wl,--gc-sections", f"-Wl,-e,{symbol}",
-            "-Wl,--unresolved-symbols=ignore-all", "-Wl,--build-id=none", "-o", image,
-            core.build / "firmware/lab/libintaglio_lab.a", core.build / "firmware/libintaglio_core.a", "-lgcc")
+            "-Wl,--unresolved-symbols=ignore-all", "-Wl,--build-id=none", "-o", image, *libraries, "-lgcc")
         sizes = run(core.tools + "size", "-A", image)
     section = {line.split()[0]: int(line.split()[1]) for line in sizes.splitlines() if line.startswith(".")}
     code = section.get(".text", 0)
     tables = section.get(".rodata", 0) + section.get(".srodata", 0)
-    return code, tables
+    memory = sum(section.get(name, 0) for name in (".data", ".sdata", ".bss", ".sbss"))
+    return code, tables, memory
 
 
 def type_of(family):
@@ -178,8 +199,7 @@ def costs(work, all_families, cores):
 def _weights(work, all_families, cores):
     pieces = {}
     for core in cores:
-        archives = [core.build / "firmware/lab/libintaglio_lab.a", core.build / "firmware/libintaglio_core.a"]
-        key = [work.hash_of(path) for path in archives]
+        key = [work.hash_of(path) for path in archives(core)]
         symbols = kernels(core)
         for family in all_families.values():
             for rung in ["Nothing", *(rung["name"] for rung in family["rungs"])]:

@@ -22,12 +22,12 @@ BASELINE = ROOT / "host/lab/baseline/peers.csv"
 COLUMNS = ["job", "load", "function", "build", "worst", "mean", "instructions", "code_bytes", "table_bytes", "memory_bytes",
            "worst_input", "points"]
 OURS = "this library"
-# As libfixmath calls them, and what it says of them.
+# As libfixmath calls them, and what comments in its source say of them.
 FUNCTIONS = {"Fix16Sin": "fix16_sin", "Fix16SinParabola": "fix16_sin_parabola", "Fix16Sqrt": "fix16_sqrt",
              "Fix16Div": "fix16_div", "Fix16Atan2": "fix16_atan2"}
 CLAIMS = {("fix16_sin", "package"): 0.021, ("fix16_sin", "cached"): 0.021, ("fix16_sin", "uncached"): 0.021,
           ("fix16_sin", "fast"): 0.023}
-BUILDS = {"package": "Debian's package, not optimised", "cached": "-O2", "uncached": "-O2, FIXMATH_NO_CACHE",
+BUILDS = {"package": "Debian's package, not optimised", "cached": "-O2, caches results", "uncached": "-O2, FIXMATH_NO_CACHE",
           "fast": "-O2, FIXMATH_NO_CACHE, FIXMATH_FAST_SIN", "table": "-O2, FIXMATH_NO_CACHE, FIXMATH_SIN_LUT"}
 # What an option of the build changes; of the rest one build says all.
 OF_BUILD = {"uncached": ("fix16_sin", "fix16_atan2"), "fast": ("fix16_sin",), "table": ("fix16_sin",)}
@@ -89,10 +89,10 @@ def rows(work, full=True):
     if BASELINE.exists():
         with BASELINE.open(newline="") as file:
             for row in csv.DictReader(file):
-                if row["build"] in BUILDS and row["build"] not in measured:
+                if row["build"] not in measured and (row["build"] != OURS or not measured):
                     found.setdefault((row["job"], row["load"], row["function"], row["build"]), row)
     order = list(dict.fromkeys((row["job"], row["load"]) for row in found.values()))
-    return sorted(found.values(), key=lambda row: order.index((row["job"], row["load"])))
+    return sorted(found.values(), key=lambda row: (order.index((row["job"], row["load"])), row["build"] != OURS))
 
 
 def write(all_rows):
@@ -118,7 +118,7 @@ the package's; so cost is to be compared with the builds by -O2 from the package
 arc tangent keep results in a cache: the load of 16 angles shows it. A source comment calls the sine
 &ldquo;accurate to ~2.1%&rdquo; and the fast one &ldquo;~2.3%&rdquo;: of the amplitude, within one turn, that is kept by
 the first and not by the second, and beyond a turn the first's error grows, for its turn is 411,774, not
-411,774.83.</p>"""]
+411,774.83. With FIXMATH_SIN_LUT the sine is more accurate than this library's default, by a table of 200 KiB.</p>"""]
     if not all_rows:
         parts.append("<p>Not measured here: libfixmath-dev isn't installed.</p>")
     for job in dict.fromkeys(row["job"] for row in all_rows):

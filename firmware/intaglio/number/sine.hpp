@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Sine and cosine of a binary angle.
+// Sine and cosine of a binary angle; other ways to them are in sine_rungs.hpp.
 //
 // Rule: 257 samples of one quarter turn, rounded to 2^-15, and a straight line between neighbours, rounded to
 // nearest. The falling quarters read the table backwards; since t[i] + d*f/64 and t[i+1] - d*(64-f)/64 round
@@ -74,9 +74,6 @@ struct SineTable256Linear {
     return Fixed<15>::from_raw((steps & 0x8000U) != 0 ? -value : value);
   }
 };
-
-/// The rungs that compute a sine.
-using SineFamily = Family<SineTable256Linear>;
 
 /// The sine of an angle, -1 .. 1, by the rung of your choice.
 template <Rung R = SineTable256Linear>

@@ -4,7 +4,7 @@
 #pragma once
 
 #include <intaglio/number/angle.hpp>
-#include <intaglio/number/sine.hpp>
+#include <intaglio/number/sine_rungs.hpp>
 
 #include <cstdint>
 #include <firmware/lab/family.hpp>

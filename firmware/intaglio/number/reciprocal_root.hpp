@@ -9,10 +9,10 @@
 // number.
 //
 // Error bounds: against the floor, so the last place of the least answers, 2^-15, counts where all else is
-// right. Bit budget: of m*r*r only how far it is from one matters: |e| < 2^-6.7, so the first step may let
-// the product wrap at 2^32 and reads it as signed; the second forms it in 64 bits. Textbook: none. Worst
-// known inputs: 1140838453 for the table, 1577009152 after one step, numbers just below 2^32 after two; 1 for
-// the range.
+// right; they hold for all 2^32 - 1 numbers. Bit budget: of m*r*r only how far it is from one matters: |e| <
+// 2^-6.7, so the first step may let the product wrap at 2^32 and reads it as signed; the second forms it in
+// 64 bits. Textbook: none. Worst known inputs: 1140838453 for the table, 1577009152 after one step, numbers
+// just below 2^32 after two; 1 for the range.
 #pragma once
 
 #include <intaglio/number/bound.hpp>
@@ -46,7 +46,8 @@ class ReciprocalRootSeed {
   /// Precondition: n > 0.
   constexpr explicit ReciprocalRootSeed(std::uint32_t n) noexcept
       : half_shift_(static_cast<unsigned>(std::countl_zero(n)) >> 1U),
-        normal_(n << (2 * half_shift_)),
+        // n > 0 has fewer than 32 leading zeros.
+        normal_(n << (2 * half_shift_)),  // NOLINT(clang-analyzer-core.UndefinedBinaryOperatorResult)
         seed_(256U + reciprocal_roots[(normal_ >> 24U) - 64U]) {}
 
   /// How far n was shifted, halved, and n after that.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Square roots of integers, exact.
+// Square roots of integers, exact; other ways to them are in root_rungs.hpp.
 //
 // Rule: isqrt(n) is the largest r with r*r <= n, for every n of the type; hence monotone, and 0 for 0.
 //

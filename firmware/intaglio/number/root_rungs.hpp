@@ -14,7 +14,8 @@
 // - n times its reciprocal root (reciprocal_root.hpp) after one Newton step: at most 3 too little, which
 //   the exact rung adds.
 //
-// Error bounds: in whole numbers, against the floor. The exact ones have answered for all 2^32 numbers.
+// Error bounds: in whole numbers, against the floor; for all 2^32 numbers, of which a full test run asks the
+// exact rungs.
 // Bit budget: 32 bits unsigned throughout, see each rung. Textbook: none. Worst known inputs: squares and
 // their neighbours; 2^32 - 1, whose root rounds up to 17 bits on the way.
 #pragma once

@@ -169,13 +169,13 @@ void area(Input& in, const Scene& scene) {
   if (!whole.status.ok()) return;
   const auto needed = coverage_workspace(polygon.vertices, polygon.lengths, scene.window);
   require(needed.ok() && needed.value() == cells.size(), "coverage_workspace isn't what fill_coverage needs");
-  // At most 1/2 + 2^-17 + edges / 2^20 levels from the exact area.
+  // At most 1/2 + 2^-22 + edges / 2^20 levels from the exact area.
   oracle::Contours contours = polygon.contours();
   std::erase_if(contours, [](const auto& contour) { return contour.size() < 3; });
   for_some(in, scene, [&](int x, int y) {
     const mpq_class exact = 255 * oracle::coverage(contours, polygon.even_odd(), x, y);
     const mpq_class bound =
-        mpq_class(1, 2) + mpq_class(static_cast<unsigned>(polygon.vertices.size()) + 8U, 1U << 20U);
+        mpq_class(1, 2) + mpq_class(4U * static_cast<unsigned>(polygon.vertices.size()) + 1U, 1U << 22U);
     require(abs(exact - whole.levels.at(x, y)) <= bound,
             "a level further from the exact area than the bound");
   });

@@ -187,7 +187,8 @@ TEST(SmoothLine, BadArgumentsAreNamedAndNothingIsHandedOver) {
   EXPECT_EQ(draw({0, 0}, 256, static_cast<Cap>(7)), (Status{Error::out_of_range, Argument::rule}));
   EXPECT_EQ(draw({limit, 0}, 256, Cap::round), (Status{Error::out_of_domain, Argument::point}));
   workspace.resize(3);
-  EXPECT_EQ(draw({0, 0}, 256), (Status{Error::too_small, Argument::workspace, 12 + 1 + 4 * 6}));
+  EXPECT_EQ(draw({0, 0}, 256), (Status{Error::too_small, Argument::workspace,
+                                       static_cast<std::uint32_t>(raster::coverage_cells(4, 11))}));
   EXPECT_EQ(sink.spans(), 0);
 }
 

@@ -7,6 +7,7 @@
 #include <intaglio/linear/point.hpp>
 #include <intaglio/status.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -40,6 +41,23 @@ namespace detail {
   for (const linear::SubPoint& vertex : vertices)
     if (!linear::in_domain(vertex)) return {Error::out_of_domain, Argument::vertices};
   return {};
+}
+
+/// The least and the greatest coordinates of some vertices.
+struct VertexBox {
+  linear::SubPoint least;
+  linear::SubPoint most;
+};
+
+/// The box of vertices inside the domain. Of none: `least` is right of and below `most`.
+[[nodiscard]] inline VertexBox vertex_box(const std::span<const linear::SubPoint>& vertices) noexcept {
+  constexpr int limit = linear::coordinate_limit * linear::subpixel_one;
+  VertexBox box{{limit, limit}, {-limit, -limit}};
+  for (const linear::SubPoint& vertex : vertices) {
+    box.least = {std::min(box.least.x, vertex.x), std::min(box.least.y, vertex.y)};
+    box.most = {std::max(box.most.x, vertex.x), std::max(box.most.y, vertex.y)};
+  }
+  return box;
 }
 
 }  // namespace detail

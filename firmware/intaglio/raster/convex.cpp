@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include <intaglio/raster/contours.hpp>
 #include <intaglio/raster/convex.hpp>
 #include <intaglio/raster/edge.hpp>
 #include <intaglio/raster/edge_function.hpp>
 
-#include <algorithm>
 #include <cstdint>
 
 namespace intaglio::raster {
@@ -51,12 +51,7 @@ Status ConvexScan::prepare(const std::span<const linear::SubPoint>& vertices) no
   if (turn == not_convex) return {Error::malformed, Argument::vertices};
   if (turn == 0) box_ = {};
   if (box_.empty()) return {};
-  linear::SubPoint least = vertices.front();
-  linear::SubPoint most = least;
-  for (const linear::SubPoint& vertex : vertices) {
-    least = {std::min(least.x, vertex.x), std::min(least.y, vertex.y)};
-    most = {std::max(most.x, vertex.x), std::max(most.y, vertex.y)};
-  }
+  const auto [least, most] = vertex_box(vertices);
   const int x = ceil_to_pixel(least.x);
   const int y = ceil_to_pixel(least.y);
   box_ = linear::intersect(box_, {x, y, ceil_to_pixel(most.x) - x, ceil_to_pixel(most.y) - y});

@@ -3,8 +3,8 @@
 #include <intaglio/raster/coverage.hpp>
 
 #include <algorithm>
+#include <bit>
 #include <memory>
-#include <utility>
 
 namespace intaglio::raster {
 
@@ -14,9 +14,8 @@ namespace {
 constexpr int half = linear::subpixel_one / 2;
 // Bits of a place beyond the 1/256 pixel: 2^-32 pixel in all.
 constexpr int fraction_bits = 32 - linear::subpixel_bits;
-// From 1/256 row to a height in 2^-31.
-constexpr int height_bits = 31 - linear::subpixel_bits;
-constexpr std::uint32_t whole_height = 1U << 31U;
+// From 1/256 row to a height in 2^-30.
+constexpr int height_bits = 30 - linear::subpixel_bits;
 
 /// The upper side of a row, in 1/256 pixel.
 constexpr int side(int row) noexcept { return row * linear::subpixel_one - half; }
@@ -26,11 +25,6 @@ constexpr int pixel_at(int place) noexcept { return (place + half) >> linear::su
 
 constexpr std::int64_t with_fraction(int value) noexcept {
   return value * (std::int64_t{1} << fraction_bits);
-}
-
-/// The upper 32 bits of a product.
-constexpr std::uint32_t multiply_high(std::uint32_t a, std::uint32_t b) noexcept {
-  return static_cast<std::uint32_t>(std::uint64_t{a} * b >> 32U);
 }
 
 struct Place {
@@ -61,7 +55,8 @@ struct Downwards {
   [[nodiscard]] int last_row() const noexcept { return pixel_at(bottom.y - 1); }
 };
 
-constexpr bool starts_later(const CoverageEdge& a, const CoverageEdge& b) noexcept { return a.row > b.row; }
+// Taken from the row of an edge that has just begun.
+constexpr int begun = 1 << 24;
 
 }  // namespace
 
@@ -98,19 +93,12 @@ Status CoverageScan::prepare() noexcept {
   if (!status.ok()) return status;
 
   // The pixels between the outermost vertices, both included.
-  linear::SubPoint low{linear::coordinate_limit * linear::subpixel_one,
-                       linear::coordinate_limit * linear::subpixel_one};
-  linear::SubPoint high{-low.x, -low.y};
-  for (const linear::SubPoint& vertex : vertices_) {
-    low = {std::min(low.x, vertex.x), std::min(low.y, vertex.y)};
-    high = {std::max(high.x, vertex.x), std::max(high.y, vertex.y)};
-  }
+  const auto [low, high] = vertex_box(vertices_);
   const int left = std::max(area_.x, pixel_at(low.x));
   const int top = std::max(area_.y, pixel_at(low.y));
   const int right = std::min(area_.right(), pixel_at(high.x) + 1);
   const int bottom = std::min(area_.bottom(), pixel_at(high.y) + 1);
   area_ = left < right && top < bottom ? linear::Rect{left, top, right - left, bottom - top} : linear::Rect{};
-  y_ = area_.y - 1;
   cell_count_ = 0;
   edge_count_ = 0;
   if (area_.empty()) return {};
@@ -125,102 +113,133 @@ Status CoverageScan::use(const std::span<CoverageCell>& cells) noexcept {
   if (cell_count_ == 0) return {};
   // Edges first: all are aligned alike. Cells that change their type begin a new life.
   std::size_t next = 0;
-  active_ = 0;
-  waiting_ = edge_count_;
-  visit_edges([&](std::uint32_t from, std::uint32_t to) {
-    auto* const edge = std::construct_at(reinterpret_cast<CoverageEdge*>(&cells[next]), CoverageEdge{});
-    if (next == 0) edges_ = edge;
-    edge->row = std::max(Downwards(vertices_[from], vertices_[to]).first_row(), area_.y);
-    edge->height = from;
-    edge->rest = to;
+  const auto add = [&](int row, std::uint32_t from, std::uint32_t to) -> CoverageEdge& {
+    auto* const place = reinterpret_cast<CoverageEdge*>(&cells[next]);
     next += cells_of_edge;
+    return *std::construct_at(place, row, static_cast<std::int32_t>(from), static_cast<std::int32_t>(to));
+  };
+  CoverageEdge& last = add(INT32_MAX, 0, 0);
+  last.left = INT32_MAX;
+  active_ = waiting_ = end_ = &last;
+  visit_edges([&](std::uint32_t from, std::uint32_t to) {
+    add(std::max(Downwards(vertices_[from], vertices_[to]).first_row(), area_.y), from, to);
   });
-  std::make_heap(edges_, edges_ + edge_count_, starts_later);
+  if (edge_count_ > 0) waiting_ = sorted(end_ + 1, end_ + 1 + edge_count_);
+  last.row = INT32_MIN;  // so it never crosses a row
   cells_ = &cells[next];
   for (int i = 0; i <= area_.width; ++i) cells_[i].change_ = 0;
-  const int words = area_.width / 32 + 1;
-  auto* const storage = reinterpret_cast<std::uint32_t*>(cells_ + area_.width + 1);
-  for (int i = 0; i < words; ++i) std::construct_at(storage + i, 0U);
-  touched_ = storage;
   return {};
 }
 
-/// Adds to a column what an edge covers of it to its right, and to all further right the edge's height there.
-inline void CoverageScan::add(int column, std::uint32_t own, std::uint32_t height, bool upwards) noexcept {
-  CoverageCell* const cell = cells_ + column;
-  if (upwards) {
-    cell[0].change_ -= own;
-    cell[1].change_ -= height - own;
-  } else {
-    cell[0].change_ += own;
-    cell[1].change_ += height - own;
+/// Merges two lists that are sorted by row.
+CoverageEdge* CoverageScan::merged(CoverageEdge* a, CoverageEdge* b) noexcept {
+  CoverageEdge* head = a;
+  CoverageEdge** tail = &head;
+  while (a != b) {  // they meet at their end
+    CoverageEdge*& lesser = b->row < a->row ? b : a;
+    *tail = lesser;
+    tail = &lesser->follower;
+    lesser = *tail;
   }
-  const unsigned bit = static_cast<unsigned>(column) % 32;
-  std::uint32_t* const touched = touched_ + column / 32;
-  touched[0] |= 3U << bit;
-  if (bit == 31) touched[1] |= 1;
+  *tail = a;
+  return head;
 }
 
-/// Adds the piece of an edge that lies on the row, between these columns and so high.
-[[gnu::always_inline]] inline void CoverageScan::add_piece(const CoverageEdge& edge, std::int64_t x,
-                                                           std::int64_t x_end,
+/// The edges begin .. end-1 as a list, sorted by row. The depth of the recursion is log2 of their number.
+CoverageEdge* CoverageScan::sorted(CoverageEdge* begin, CoverageEdge* end) noexcept {
+  if (end - begin == 1) {
+    begin->follower = end_;
+    return begin;
+  }
+  CoverageEdge* const middle = begin + (end - begin) / 2;
+  CoverageEdge* const first = sorted(begin, middle);
+  return merged(first, sorted(middle, end));
+}
+
+/// Puts an edge in its place in the list of those on the row.
+void CoverageScan::insert(CoverageEdge& edge) noexcept {
+  CoverageEdge** link = &active_;
+  while ((*link)->left < edge.left) link = &(*link)->follower;
+  edge.follower = *link;
+  *link = &edge;
+}
+
+/// Adds the piece of an edge that lies on the row, from left to right and so high, to the cells.
+[[gnu::always_inline]] inline void CoverageScan::add_piece(const CoverageEdge& edge,
+                                                           const CoverageEdge::Piece& piece,
                                                            std::uint32_t height) noexcept {
-  const auto column = static_cast<int>(x >> 32);
-  if (column == static_cast<int>(x_end >> 32) &&
-      static_cast<unsigned>(column) < static_cast<unsigned>(area_.width)) {
-    // Right of it lies the mean of the distances of its ends from the column's right side.
-    const std::uint32_t distance =
-        (~static_cast<std::uint32_t>(x) >> 1U) + (~static_cast<std::uint32_t>(x_end) >> 1U) + 1;
-    add(column, multiply_high(height, distance), height, edge.upwards);
-    return;
-  }
-  add_columns(edge, x, x_end, height);
+  const int width = area_.width;
+  const auto turn = edge.turn;
+  CoverageCell* const cells = cells_;
+  int before = 0;
+  const auto add = [&](int column, std::uint32_t area) {
+    cells[column].change_ += turn * (static_cast<int>(area) - before);
+    before = static_cast<int>(area);
+  };
+  edge.visit_columns<false>(piece, height, width, add);
+  if (piece.right() < width) add(std::max(piece.right() + 1, 0), height);
 }
 
-bool CoverageScan::next_row() noexcept {
-  if (++y_ >= area_.bottom()) return false;
-  CoverageEdge* const end = edges_ + edge_count_;
-  for (CoverageEdge* edge = end - active_; edge != end; ++edge) {
-    const std::int64_t x = edge->x;
-    const bool last = edge->row == y_;
-    std::int64_t next = 0;
-    std::uint32_t height = whole_height;
-    if (last) {
-      next = with_fraction(edge->x_end);
-      height = static_cast<std::uint32_t>(edge->end) << height_bits;
-    } else {
-      next = x + edge->step;
-      std::int32_t error = edge->error + static_cast<std::int32_t>(edge->rest);
-      if (error >= 0) {
-        error -= static_cast<std::int32_t>(edge->height);
-        ++next;
-      }
-      edge->error = error;
-      edge->x = next;
-    }
-    add_piece(*edge, x, next, height);
-    if (last) *edge = end[-active_--];  // which has had its turn
-  }
-  while (waiting_ > 0 && edges_->row == y_) {
-    std::pop_heap(edges_, edges_ + waiting_, starts_later);
-    CoverageEdge edge = edges_[--waiting_];
+/// Adds the edges that begin on this row to those on it.
+void CoverageScan::start_edges() noexcept {
+  do {
+    CoverageEdge& edge = *waiting_;
+    waiting_ = edge.follower;
     start(edge);
-    if (edge.row > y_) end[-++active_] = edge;
+    insert(edge);
+  } while (waiting_->row == y_);
+}
+
+/// Adds the pieces of the edge at the cursor, which has advanced, and of those after it that share columns
+/// with it or with each other, to the cells, and goes on to the next row with them. `first` and `last` end
+/// the piece of the first.
+CoverageScan::Group CoverageScan::add_group(Cursor cursor, std::int64_t first, std::int64_t last) noexcept {
+  CoverageEdge::Piece piece(first, last);
+  const int y = y_;
+  int begin = area_.width;
+  int right = -1;  // all left of the window are one group
+  for (;;) {
+    CoverageEdge& edge = **cursor.link;
+    if (edge.row < y - begun / 2) {
+      // Its piece is there already.
+      begin = std::min(begin, edge.left);
+      right = std::max(right, edge.right);
+      edge.row += begun;
+      edge.left = edge.leftmost();
+    } else {
+      std::uint32_t height = whole;
+      if (edge.row == y) {
+        piece = {edge.x, with_fraction(edge.x_end)};
+        height = (edge.depth + 1U) << height_bits;
+      }
+      add_piece(edge, piece, height);
+      begin = std::min(begin, piece.left());
+      right = std::max(right, piece.right());
+    }
+    if (edge.row == y)
+      *cursor.link = edge.follower;
+    else
+      place(edge, cursor);
+    CoverageEdge& follower = **cursor.link;
+    if (follower.left > right) break;
+    piece = follower.advance(y);
   }
-  return true;
+  return {cursor, std::max(begin, 0), std::clamp(right + 1, 0, area_.width)};
 }
 
 /// Turns an edge that waited into one on the row, and adds what it does there.
 void CoverageScan::start(CoverageEdge& edge) noexcept {
-  const Downwards way(vertices_[edge.height], vertices_[edge.rest]);
+  const Downwards way(vertices_[static_cast<std::uint32_t>(edge.error)],
+                      vertices_[static_cast<std::uint32_t>(edge.x_end)]);
   const int left = side(area_.x);
   const int dx = way.bottom.x - way.top.x;
   const auto height = static_cast<std::uint32_t>(way.bottom.y - way.top.y);
-  edge.upwards = way.upwards;
+  const int last_row = way.last_row();
+  edge.turn = static_cast<std::int8_t>(way.upwards ? -1 : 1);
   edge.height = height;
-  edge.row = way.last_row();
+  edge.row = last_row - begun;
   edge.x_end = way.bottom.x - left;
-  edge.end = static_cast<std::int16_t>(way.bottom.y - side(edge.row));
+  edge.depth = static_cast<std::uint8_t>(way.bottom.y - side(last_row) - 1);
   if (dx != 0) {
     // The quotient of both, each with its highest bit in bit 31, to 32 bits.
     const auto width = static_cast<std::uint32_t>(dx < 0 ? -dx : dx);
@@ -231,74 +250,31 @@ void CoverageScan::start(CoverageEdge& edge) noexcept {
     const int digits = n >= d ? 31 : 32;
     // Halves: both are even, and the dividend stays below 2^63.
     edge.slope = number::long_divide(std::uint64_t{n / 2} << static_cast<unsigned>(digits), d / 2).quotient;
-    edge.slope_shift = static_cast<std::uint8_t>(digits + up - down);
+    const int shift = digits + up - down - 31;
+    edge.up = static_cast<std::uint8_t>(std::max(-shift, 0));
+    edge.down = static_cast<std::uint8_t>(std::max(shift, 0) + 1);
   }
   const auto crossing = [&](int y) { return scaled(static_cast<std::uint32_t>(y - way.top.y), dx, height); };
   const std::int64_t origin = with_fraction(way.top.x - left);
   const int row_end = side(y_ + 1);
   const int begin = std::max(way.top.y, side(y_));
   const std::int64_t x = begin == way.top.y ? origin : origin + crossing(begin).value;
-  if (way.bottom.y <= row_end) {
-    add_piece(edge, x, with_fraction(edge.x_end),
-              static_cast<std::uint32_t>(way.bottom.y - begin) << height_bits);
-    return;
-  }
-  const Place next = crossing(row_end);
-  edge.x = origin + next.value;
-  edge.error = static_cast<std::int32_t>(next.remainder) - static_cast<std::int32_t>(height);
-  if (edge.row > y_ + 1) {  // only then is a row crossed from side to side, and the edge as high as that
-    const Place step = scaled(linear::subpixel_one, dx, height);
+  std::int64_t next = with_fraction(edge.x_end);
+  if (last_row > y_) {
+    const Place there = crossing(row_end);
+    next = origin + there.value;
+    edge.error = static_cast<std::int32_t>(there.remainder) - static_cast<std::int32_t>(height);
+    // Only if it goes on from there a row is crossed from side to side, and the edge as high as that.
+    const Place step =
+        last_row > y_ + 1 ? scaled(linear::subpixel_one, dx, height) : Place{with_fraction(dx), 0};
     edge.step = step.value;
     edge.rest = step.remainder;
   }
-  add_piece(edge, x, edge.x, static_cast<std::uint32_t>(row_end - begin) << height_bits);
-}
-
-/// The same for a piece that goes through several columns, or isn't all visible.
-void CoverageScan::add_columns(const CoverageEdge& edge, std::int64_t left, std::int64_t right,
-                               std::uint32_t height) noexcept {
-  if (left > right) std::swap(left, right);
-  auto column = static_cast<int>(left >> 32);
-  const auto last = static_cast<int>(right >> 32);
-  if (column >= area_.width) return;
-  if (last < 0) {
-    add(0, height, height, edge.upwards);
-    return;
-  }
-  // How high the edge is over a part of a column, and over whole ones in 2^-63 row.
-  const auto rise = [&](std::uint32_t part) {
-    return static_cast<std::uint32_t>(std::uint64_t{part} * edge.slope >> (edge.slope_shift + 1U));
-  };
-  std::uint32_t done = 0;  // of the height
-  if (column < 0) {
-    const std::int64_t hidden = -left;
-    const auto columns = static_cast<std::uint32_t>(hidden >> 32);
-    const std::uint64_t whole =
-        columns == 0 ? 0 : std::uint64_t{columns} * edge.slope >> (edge.slope_shift - 31U);
-    done = std::min(static_cast<std::uint32_t>(whole) + rise(static_cast<std::uint32_t>(hidden)), height);
-    add(0, done, done, edge.upwards);
-    column = 0;
-  } else if (column < last) {
-    const std::uint32_t distance = ~static_cast<std::uint32_t>(left);
-    done = std::min(rise(distance), height);
-    add(column, multiply_high(done, distance) / 2, done, edge.upwards);
-    ++column;
-  }
-  const int end = std::min(last, area_.width);
-  if (column < end) {
-    const std::uint64_t step = std::uint64_t{edge.slope} << (63U - edge.slope_shift);
-    std::uint64_t sum = std::uint64_t{done} << 32U;
-    for (; column < end; ++column) {
-      sum += step;
-      const std::uint32_t next = std::min(static_cast<std::uint32_t>(sum >> 32U), height);
-      add(column, (next - done) / 2, next - done, edge.upwards);
-      done = next;
-    }
-  }
-  if (column == last && column < area_.width) {
-    const std::uint32_t rest = height - done;
-    add(column, rest - multiply_high(rest, static_cast<std::uint32_t>(right)) / 2, rest, edge.upwards);
-  }
+  edge.x = next;
+  const CoverageEdge::Piece piece(x, next);
+  add_piece(edge, piece, static_cast<std::uint32_t>(std::min(way.bottom.y, row_end) - begin) << height_bits);
+  edge.left = piece.left();
+  edge.right = piece.right();
 }
 
 }  // namespace detail

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <intaglio/number/long_division.hpp>
+#include <intaglio/raster/contours.hpp>
 #include <intaglio/raster/convex.hpp>
 #include <intaglio/raster/pitteway.hpp>
 
@@ -76,12 +77,7 @@ Status PittewayScan::prepare(const std::span<const linear::SubPoint>& vertices) 
   if (turn == not_convex) return {Error::malformed, Argument::vertices};
   if (turn == 0) box_ = {};
   if (box_.empty()) return {};
-  linear::SubPoint least = vertices.front();
-  linear::SubPoint most = least;
-  for (const linear::SubPoint& vertex : vertices) {
-    least = {std::min(least.x, vertex.x), std::min(least.y, vertex.y)};
-    most = {std::max(most.x, vertex.x), std::max(most.y, vertex.y)};
-  }
+  const auto [least, most] = vertex_box(vertices);
   const auto pixel = [](int place) { return (place + half) >> linear::subpixel_bits; };
   const int left = pixel(least.x);
   const int top = pixel(least.y);

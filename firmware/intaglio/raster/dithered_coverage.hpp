@@ -22,6 +22,7 @@
 // tile: never drawn.
 #pragma once
 
+#include <intaglio/image/bayer.hpp>
 #include <intaglio/raster/coverage.hpp>
 #include <intaglio/raster/sink.hpp>
 
@@ -42,13 +43,8 @@ using DitherMatrix = std::array<std::array<std::uint8_t, 8>, 8>;
 [[nodiscard]] consteval DitherMatrix make_dither_thresholds() {
   DitherMatrix thresholds{};
   for (unsigned y = 0; y < 8; ++y)
-    for (unsigned x = 0; x < 8; ++x) {
-      // The matrix number has, from its highest bit down, the lowest bits of x^y and of y in turn.
-      unsigned number = 0;
-      for (unsigned bit = 0; bit < 3; ++bit)
-        number |= ((x ^ y) >> bit & 1U) << (5 - 2 * bit) | (y >> bit & 1U) << (4 - 2 * bit);
-      thresholds[y][x] = static_cast<std::uint8_t>(4 * number + 1);
-    }
+    for (unsigned x = 0; x < 8; ++x)
+      thresholds[y][x] = static_cast<std::uint8_t>(4 * image::bayer_number(x, y, 3) + 1);
   return thresholds;
 }
 

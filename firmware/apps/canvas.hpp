@@ -39,19 +39,23 @@ using intaglio::number::Angle;
 enum class Align : std::uint8_t { left, centre, right };
 
 /// The place `radius` (in 1/256 px, at most 2^27) away from `centre`, `angle` clockwise from straight up.
-/// Each coordinate is off by less than 1 + radius/20000 sub-pixels.
+/// Each coordinate is off by less than 1 + radius/20000 sub-pixels, by the sine that the library uses; by
+/// another rung by what its bound says.
+template <intaglio::number::Rung Sine = intaglio::number::SineTable256Linear>
 [[nodiscard]] constexpr SubPoint around(SubPoint centre, int radius, Angle angle) noexcept {
   const auto scaled = [=](int q15) {
     return static_cast<int>((static_cast<std::int64_t>(radius) * q15 + 16384) >> 15);
   };
-  return {centre.x + scaled(intaglio::number::sine(angle).raw()),
-          centre.y - scaled(intaglio::number::cosine(angle).raw())};
+  return {centre.x + scaled(intaglio::number::sine<Sine>(angle).raw()),
+          centre.y - scaled(intaglio::number::cosine<Sine>(angle).raw())};
 }
 
 /// Draws with the inks of a `Theme` on one surface.
 template <intaglio::image::PixelFormat F, class Theme>
 class Canvas {
  public:
+  using Format = F;
+
   Canvas(intaglio::image::Surface<F> target, const Theme& theme) noexcept : target_(target), theme_(theme) {}
 
   /// The first error of all calls so far.

@@ -42,15 +42,35 @@ inline constexpr int fade_full = 256;
   return {c, static_cast<std::uint8_t>((c.r * 77 + c.g * 150 + c.b * 29) / 256)};
 }
 
-/// `from` at 0, `to` at `whole` (1 .. 2^14): colours are mixed as light, tones in equal steps.
+/// Mixes colours as light: exactly what is seen between them.
+struct MixLight {
+  [[nodiscard]] constexpr Rgb operator()(Rgb from, Rgb to, int part, int whole) const noexcept {
+    return mix(from, to, part, whole);
+  }
+};
+
+/// Mixes the codes of colours: cheaper, and darker between them than what is seen.
+struct MixCodes {
+  [[nodiscard]] constexpr Rgb operator()(Rgb from, Rgb to, int part, int whole) const noexcept {
+    if (part <= 0) return from;
+    if (part >= whole) return to;
+    const auto between = [=](int a, int b) {
+      return static_cast<std::uint8_t>((a * (whole - part) + b * part + whole / 2) / whole);
+    };
+    return {between(from.r, to.r), between(from.g, to.g), between(from.b, to.b)};
+  }
+};
+
+/// `from` at 0, `to` at `whole` (1 .. 2^14): colours are mixed as `Mixing` does, tones in equal steps.
+template <class Mixing = MixLight>
 [[nodiscard]] constexpr Ink mix(Ink from, Ink to, int part, int whole) noexcept {
-  return {mix(from.colour, to.colour, part, whole),
+  return {Mixing{}(from.colour, to.colour, part, whole),
           static_cast<std::uint8_t>((from.tone * (whole - part) + to.tone * part) / whole)};
 }
 
 /// The inks of a program on a screen. `Inks` is their number, `Entries` (2, 4, 16, 256) what the pixel format
-/// can name.
-template <int Inks, int Entries>
+/// can name, `Mixing` how colours fade.
+template <int Inks, int Entries, class Mixing = MixLight>
 class Theme {
  public:
   /// `inks` by importance. A fixed palette without colours given is a ramp from black to white.
@@ -94,7 +114,7 @@ class Theme {
   void fade(int level) noexcept {
     if (loadable_) {
       for (int entry = 0; entry < count_; ++entry)
-        shown_.set(entry, mix(Rgb{}, entries_[at(entry)].colour, level, fade_full)).ignore();
+        shown_.set(entry, Mixing{}(Rgb{}, entries_[at(entry)].colour, level, fade_full)).ignore();
     } else if (level != level_ && count_ > 2) {
       level_ = level;
       for (int ink = 0; ink < Inks; ++ink) choose(ink);
@@ -125,7 +145,7 @@ class Theme {
       index_[at(ink)] = static_cast<std::uint8_t>(ink);
       return;
     }
-    const Ink wanted = mix(Ink{}, inks_[at(ink)], loadable_ ? fade_full : level_, fade_full);
+    const Ink wanted = mix<Mixing>(Ink{}, inks_[at(ink)], loadable_ ? fade_full : level_, fade_full);
     if (count_ == 2) {
       const bool second_is_brighter = entries_[1].tone > entries_[0].tone;
       index_[at(ink)] = (wanted.tone >= 128) == second_is_brighter ? 1 : 0;

@@ -18,7 +18,9 @@
 #include <firmware/apps/gauges/digits.hpp>
 #include <firmware/apps/gauges/drive.hpp>
 #include <firmware/apps/gauges/inks.hpp>
+#include <firmware/apps/gauges/knobs.hpp>
 #include <firmware/apps/gauges/layout.hpp>
+#include <firmware/apps/gauges/smooth.hpp>
 #include <string_view>
 
 namespace apps::gauges {
@@ -65,7 +67,7 @@ class Number {
 };
 
 /// Draws one dial; `value` is in 1/16 of the scale's unit.
-template <class Canvas>
+template <class Canvas, class Knobs = DefaultKnobs>
 class DialPainter {
  public:
   DialPainter(Canvas& canvas, const DialPlace& place, const Scale& scale) noexcept
@@ -80,7 +82,7 @@ class DialPainter {
   /// What doesn't move.
   void draw_face() {
     draw_bezel();
-    draw_disc_ramp(ink::faces, ink::face_steps, place_.radius - rim_, ink::face);
+    draw_disc_ramp(ink::faces, ink::face_steps, place_.radius - rim_, ink::face, Knobs::face_steps);
     if (arc_)
       draw_arc();
     else
@@ -117,12 +119,13 @@ class DialPainter {
       draw_blade(ink::shadow, centre_, to, tip, tail, width + one);
     }
     draw_blade(ink::needle, centre_, to, tip, tail, width);
-    if (place_.radius >= 40) draw_half_blade(ink::needle_dark, to, tip, tail, width);
+    if (place_.radius >= 40) draw_half_blade(to, tip, tail, width);
     const int cap = place_.radius / 8 > 2 ? place_.radius / 8 : 2;
-    draw_disc_ramp(ink::hub, ink::hub_steps, cap, ink::steel_light);
+    draw_disc_ramp(ink::hub, ink::hub_steps, cap, ink::steel_light, ink::hub_steps);
   }
 
  private:
+  using Sine = typename Knobs::Sine;
   static constexpr int one = intaglio::linear::subpixel_one;
 
   // So many hundredths of the face's radius, in 1/256 px.
@@ -131,7 +134,9 @@ class DialPainter {
   [[nodiscard]] int below(int percent) const noexcept {
     return place_.centre.y + (place_.radius - rim_) * percent / 100;
   }
-  [[nodiscard]] SubPoint at(int radius, Angle angle) const noexcept { return around(centre_, radius, angle); }
+  [[nodiscard]] SubPoint at(int radius, Angle angle) const noexcept {
+    return around<Sine>(centre_, radius, angle);
+  }
 
   // Metal lit from the upper left: a ring of wedges whose ink follows the cosine of their angle to the light.
   void draw_bezel() {
@@ -151,12 +156,12 @@ class DialPainter {
 
   // A disc of metal of that radius; slope 1 rises towards the middle, -1 falls.
   void draw_metal(int radius, int slope) {
-    constexpr int wedges = 64;
-    constexpr int step = Angle::turn / wedges;
+    const int wedges = Knobs::wedges;
+    const int step = Angle::turn / wedges;
     for (int i = 0; i < wedges; ++i) {
       // Bright where the light comes from, and a little again on the far side, as turned metal is.
       const Angle middle = Angle::from_steps(i * step + step / 2 + Angle::turn / 8);
-      const int facing = slope * intaglio::number::cosine(middle).raw();
+      const int facing = slope * intaglio::number::cosine<Sine>(middle).raw();
       const int glow = facing > 0 ? facing : -facing / 3;
       canvas_.polygon(ink::bezel + (glow * (ink::bezel_steps - 1) >> 15),
                       std::array<SubPoint, 3>{at(radius, Angle::from_steps(i * step)),
@@ -164,13 +169,17 @@ class DialPainter {
     }
   }
 
-  // Discs one in another, the ramp's first ink outermost; one flat disc where the palette has no ramps.
-  void draw_disc_ramp(int first, int steps, int radius, int flat) {
+  // Discs one in another, the ramp's first ink outermost, `shown` of its inks; one flat disc where the
+  // palette has no ramps.
+  void draw_disc_ramp(int first, int steps, int radius, int flat, int shown) {
     if (!canvas_.theme().owns_entry(first)) {
       canvas_.disc(flat, place_.centre, radius);
       return;
     }
-    for (int i = 0; i < steps; ++i) canvas_.disc(first + i, place_.centre, radius * (steps - i) / steps);
+    for (int i = 0; i < shown; ++i) {
+      const int step = shown == steps ? i : shown == 1 ? steps / 2 : i * (steps - 1) / (shown - 1);
+      canvas_.disc(first + step, place_.centre, radius * (shown - i) / shown);
+    }
   }
 
   void draw_arc() {
@@ -214,12 +223,14 @@ class DialPainter {
       const SubPoint from = at(outer, angle);
       const SubPoint to = at(is_long ? long_end : short_end, angle);
       const int tick_ink = red ? ink::red : is_long ? ink::text : ink::dim;
-      if (is_long && width >= one) {
-        const SubPoint side = around({0, 0}, width / 2, angle + intaglio::number::quarter_turn);
-        canvas_.polygon(tick_ink, std::array<SubPoint, 4>{SubPoint{from.x - side.x, from.y - side.y},
-                                                          SubPoint{from.x + side.x, from.y + side.y},
-                                                          SubPoint{to.x + side.x, to.y + side.y},
-                                                          SubPoint{to.x - side.x, to.y - side.y}});
+      const bool smooth = edges() != Edges::hard;
+      if (smooth || (is_long && width >= one)) {
+        const int half = is_long && width >= one ? width / 2 : one / 2;
+        const SubPoint side = around<Sine>({0, 0}, half, angle + intaglio::number::quarter_turn);
+        shape(tick_ink, std::array<SubPoint, 4>{SubPoint{from.x - side.x, from.y - side.y},
+                                                SubPoint{from.x + side.x, from.y + side.y},
+                                                SubPoint{to.x + side.x, to.y + side.y},
+                                                SubPoint{to.x - side.x, to.y - side.y}});
       } else {
         canvas_.line(tick_ink, nearest(from), nearest(to));
       }
@@ -244,28 +255,55 @@ class DialPainter {
   // A blade from the tail over the centre to a fine tip.
   void draw_blade(int blade_ink, SubPoint centre, Angle to, int tip, int tail, int width) {
     using intaglio::number::quarter_turn;
-    const SubPoint side = around({0, 0}, width, to + quarter_turn);
-    const SubPoint end = around(centre, tip, to);
-    const SubPoint back = around(centre, -tail, to);
+    const SubPoint side = around<Sine>({0, 0}, width, to + quarter_turn);
+    const SubPoint end = around<Sine>(centre, tip, to);
+    const SubPoint back = around<Sine>(centre, -tail, to);
     const int fine = 3;  // the tip's share of the width
-    canvas_.polygon(blade_ink, std::array<SubPoint, 4>{SubPoint{back.x - side.x, back.y - side.y},
-                                                       SubPoint{end.x - side.x / fine, end.y - side.y / fine},
-                                                       SubPoint{end.x + side.x / fine, end.y + side.y / fine},
-                                                       SubPoint{back.x + side.x, back.y + side.y}});
+    shape(blade_ink, std::array<SubPoint, 4>{SubPoint{back.x - side.x, back.y - side.y},
+                                             SubPoint{end.x - side.x / fine, end.y - side.y / fine},
+                                             SubPoint{end.x + side.x / fine, end.y + side.y / fine},
+                                             SubPoint{back.x + side.x, back.y + side.y}});
   }
   // The half that lies away from the light.
-  void draw_half_blade(int blade_ink, Angle to, int tip, int tail, int width) {
+  void draw_half_blade(Angle to, int tip, int tail, int width) {
     using intaglio::number::quarter_turn;
     const Angle out = to + quarter_turn;
     // The light comes from the upper left: a flank is dark if it faces right and down.
-    const SubPoint facing = around({0, 0}, one, out);
+    const SubPoint facing = around<Sine>({0, 0}, one, out);
     const int sign = facing.x + facing.y > 0 ? 1 : -1;
-    const SubPoint side = around({0, 0}, sign * width, out);
-    const SubPoint end = around(centre_, tip, to);
-    const SubPoint back = around(centre_, -tail, to);
-    canvas_.polygon(blade_ink,
-                    std::array<SubPoint, 4>{back, end, SubPoint{end.x + side.x / 3, end.y + side.y / 3},
-                                            SubPoint{back.x + side.x, back.y + side.y}});
+    // A blade with smooth edges reaches a pixel further, and is only tinted.
+    const int reach = edges() == Edges::hard ? 0 : one;
+    const SubPoint side = around<Sine>({0, 0}, sign * (width + 3 * reach), out);
+    const SubPoint end = around<Sine>(centre_, tip + reach, to);
+    const SubPoint back = around<Sine>(centre_, -tail - reach, to);
+    const std::array<SubPoint, 4> half{back, end, SubPoint{end.x + side.x / 3, end.y + side.y / 3},
+                                       SubPoint{back.x + side.x, back.y + side.y}};
+    if constexpr (can_smooth) {
+      if (edges() != Edges::hard) {
+        tint_smooth(canvas_, half, Knobs::edge_steps);
+        return;
+      }
+    }
+    canvas_.polygon(ink::needle_dark, half);
+  }
+
+  static constexpr bool can_smooth = Knobs::edge_steps > 0 && Canvas::Format::bits == 8;
+
+  // Edges can be smooth where all ramps have entries.
+  [[nodiscard]] Edges edges() const noexcept {
+    if constexpr (can_smooth) {
+      if (canvas_.theme().owns_entry(ink::count_with(Knobs::edge_steps) - 1)) return Knobs::edges;
+    }
+    return Edges::hard;
+  }
+
+  // A polygon with edges as the knobs ask for; hard if its ink has no ramp.
+  void shape(int shape_ink, const std::array<SubPoint, 4>& corners) {
+    if constexpr (can_smooth) {
+      if (edges() != Edges::hard && fill_smooth(canvas_, shape_ink, Knobs::edge_steps, edges(), corners))
+        return;
+    }
+    canvas_.polygon(shape_ink, corners);
   }
 
   [[nodiscard]] static constexpr Point nearest(SubPoint p) noexcept {

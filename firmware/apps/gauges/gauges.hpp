@@ -20,6 +20,7 @@
 #include <firmware/apps/gauges/dial.hpp>
 #include <firmware/apps/gauges/drive.hpp>
 #include <firmware/apps/gauges/inks.hpp>
+#include <firmware/apps/gauges/knobs.hpp>
 #include <firmware/apps/gauges/layout.hpp>
 #include <firmware/apps/gauges/symbols.hpp>
 #include <firmware/apps/theme.hpp>
@@ -27,13 +28,13 @@
 
 namespace apps::gauges {
 
-/// The program. Follows the shape that `present::run` asks for.
-template <intaglio::image::PixelFormat F>
-class Gauges {
+/// The program with its knobs turned (see `DefaultKnobs`). Follows the shape that `present::run` asks for.
+template <intaglio::image::PixelFormat F, class Knobs>
+class TunedGauges {
  public:
   /// For a screen of at least one pixel.
-  explicit Gauges(const intaglio::present::ScreenInfo& screen) noexcept
-      : size_(screen.size), layout_(layout_for(screen.size)), theme_(ink::all, screen) {
+  explicit TunedGauges(const intaglio::present::ScreenInfo& screen) noexcept
+      : size_(screen.size), layout_(layout_for(screen.size)), theme_(inks(), screen) {
     update(0);
   }
 
@@ -65,8 +66,18 @@ class Gauges {
   }
 
  private:
-  using Colours = Theme<ink::count, static_cast<int>(F::max_index) + 1>;
+  using Mixing = typename Knobs::Mixing;
+  using Colours = Theme<ink::count_with(Knobs::edge_steps), static_cast<int>(F::max_index) + 1, Mixing>;
   using Paint = Canvas<F, Colours>;
+
+  // Knobs that aren't constants name their table themselves.
+  [[nodiscard]] static const auto& inks() noexcept {
+    if constexpr (requires { Knobs::inks(); }) {
+      return Knobs::inks();
+    } else {
+      return ink::table<Mixing, Knobs::edge_steps>;
+    }
+  }
 
   // A segment glows up to the value, brightest at its end.
   void light_arc(const Scale& scale, int value) noexcept {
@@ -86,15 +97,15 @@ class Gauges {
       const int behind = lit - i * 16;  // how far the value has passed the segment's begin
       constexpr int tail = 12 * 16;
       Ink glow = red ? hot
-                     : mix(bright, cool,
-                           behind < 16          ? 0
-                           : behind - 16 < tail ? behind - 16
-                                                : tail,
-                           tail);
+                     : mix<Mixing>(bright, cool,
+                                   behind < 16          ? 0
+                                   : behind - 16 < tail ? behind - 16
+                                                        : tail,
+                                   tail);
       // A light runs round, as far as the arc is lit.
       if (i == segments * now_.runner / 1000 && theme_.owns_entry(scale.arc + i))
-        glow = mix(glow, white, 1, 2);
-      if (behind < 16) glow = mix(dark, glow, behind > 0 ? behind : 0, 16);
+        glow = mix<Mixing>(glow, white, 1, 2);
+      if (behind < 16) glow = mix<Mixing>(dark, glow, behind > 0 ? behind : 0, 16);
       theme_.set(scale.arc + i, glow);
     }
   }
@@ -123,7 +134,7 @@ class Gauges {
   void draw_dial(Paint& canvas, const DialPlace& place, const Scale& scale, int value) const {
     const int side = 2 * place.radius + 1;
     if (!canvas.sees({place.centre.x - place.radius, place.centre.y - place.radius, side, side})) return;
-    DialPainter<Paint> dial(canvas, place, scale);
+    DialPainter<Paint, Knobs> dial(canvas, place, scale);
     dial.draw_face();
     if (scale.limit == speed_limit)
       dial.draw_digits(ink::text, 3, (now_.speed + 8) >> value_bits);
@@ -164,5 +175,9 @@ class Gauges {
   Colours theme_;
   Readings now_{};
 };
+
+/// The program as it is.
+template <intaglio::image::PixelFormat F>
+using Gauges = TunedGauges<F, DefaultKnobs>;
 
 }  // namespace apps::gauges

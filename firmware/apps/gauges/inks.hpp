@@ -45,13 +45,23 @@ inline constexpr int arc_segments = 40;
 inline constexpr int count = arcs + 2 * arc_segments;
 static_assert(count <= 256);
 
+/// What is drawn with smooth edges where the knobs ask for it. From `count` on, each of them has a ramp of
+/// inks that leads from the face to it.
+inline constexpr std::array<int, 5> smooth{needle, needle_dark, text, dim, red};
+
+/// Inks in all, with ramps of so many steps.
+[[nodiscard]] constexpr int count_with(int edge_steps) noexcept {
+  return count + static_cast<int>(smooth.size()) * edge_steps;
+}
+static_assert(count_with(15) <= 256);
+
 /// All of them as they are when nothing glows.
-[[nodiscard]] constexpr std::array<Ink, count> make_inks() noexcept {
-  std::array<Ink, count> inks{};
-  // Colours in linear light, tones in equal steps.
-  const auto ramp = [&inks](int first, int steps, Ink from, Ink to) {
-    for (int i = 0; i < steps; ++i)
-      inks[static_cast<std::size_t>(first) + static_cast<std::size_t>(i)] = mix(from, to, i, steps - 1);
+template <class Mixing = MixLight, int edge_steps = 0>
+[[nodiscard]] constexpr std::array<Ink, std::size_t{count_with(edge_steps)}> make_inks() noexcept {
+  std::array<Ink, std::size_t{count_with(edge_steps)}> inks{};
+  const auto set = [&inks](int ink, Ink value) { inks[static_cast<std::size_t>(ink)] = value; };
+  const auto ramp = [&set](int first, int steps, Ink from, Ink to) {
+    for (int i = 0; i < steps; ++i) set(first + i, mix<Mixing>(from, to, i, steps - 1));
   };
   inks[background] = {{4, 6, 10}, 0};
   inks[text] = {{236, 242, 248}, 255};
@@ -74,9 +84,16 @@ static_assert(count <= 256);
   ramp(faces, face_steps, {{34, 39, 49}, 17}, {{11, 13, 18}, 17});
   ramp(hub, hub_steps, {{44, 48, 56}, 68}, {{176, 184, 196}, 187});
   ramp(backdrop, backdrop_steps, {{24, 30, 42}, 0}, {{5, 7, 11}, 0});
+  int first = count;
+  for (const int ink : smooth)
+    for (int step = 1; step <= edge_steps; ++step)
+      set(first++, mix<Mixing>(inks[face], inks[static_cast<std::size_t>(ink)], step, edge_steps + 1));
   return inks;
 }
 
-inline constexpr std::array<Ink, count> all = make_inks();
+/// The table of them.
+template <class Mixing = MixLight, int edge_steps = 0>
+inline constexpr std::array<Ink, std::size_t{count_with(edge_steps)}> table = make_inks<Mixing, edge_steps>();
+inline constexpr const std::array<Ink, count>& all = table<>;
 
 }  // namespace apps::gauges::ink

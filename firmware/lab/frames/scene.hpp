@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: MIT
+//
+// Whole frames: the programs of firmware/apps, with their knobs, as the lab counts and pictures them.
+//
+// Rule: a scene is a program at 320x240 pixels of 8 bits with 256 palette entries, a list of knobs, and
+// *settings*: a choice for each knob. The settings are the standard one, each knob turned alone, and all
+// combinations of the choices that the scene says are worth combining. A program's knobs are constants of its
+// type; here they are variables, so that one copy of the program has all settings. The standard and the
+// finest setting are there as constants, too, so that one sees that this makes no difference.
+#pragma once
+
+#include <intaglio/image/format.hpp>
+#include <intaglio/image/surface.hpp>
+#include <intaglio/linear/rect.hpp>
+#include <intaglio/present/screen_info.hpp>
+#include <intaglio/status.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <new>
+#include <span>
+#include <string_view>
+
+namespace lab::frames {
+
+inline constexpr intaglio::linear::Size size{320, 240};
+inline constexpr intaglio::present::ScreenInfo screen{size, 256, {}};
+/// The frames that are looked at: for the instruments a fade, the self-test and a drive; for the map far and
+/// near, by day and by night.
+inline constexpr std::array<std::uint32_t, 8> looked_at{15, 57, 100, 200, 420, 750, 1100, 1399};
+
+/// Something to turn.
+struct Knob {
+  std::string_view name;
+  std::span<const std::string_view> choices;
+  int standard = 0;       ///< The choice of the program as it is.
+  int finest = 0;         ///< The most accurate.
+  unsigned combined = 0;  ///< A bit for each choice that is combined with those of other knobs.
+  std::string_view explained{};
+};
+
+inline constexpr std::size_t most_knobs = 6;
+/// A choice for each knob.
+using Setting = std::array<std::uint8_t, most_knobs>;
+
+/// The settings of a scene.
+struct Settings {
+  std::array<Setting, 128> list{};
+  int count = 0;
+
+  constexpr void add(const Setting& setting) noexcept {
+    for (int i = 0; i < count; ++i)
+      if (list[static_cast<std::size_t>(i)] == setting) return;
+    list[static_cast<std::size_t>(count++)] = setting;
+  }
+};
+
+/// The standard setting, each knob alone, and the combinations.
+[[nodiscard]] constexpr Settings settings_of(std::span<const Knob> knobs) noexcept {
+  Settings settings;
+  Setting standard{};
+  for (std::size_t k = 0; k < knobs.size(); ++k) standard[k] = static_cast<std::uint8_t>(knobs[k].standard);
+  settings.add(standard);
+  for (std::size_t k = 0; k < knobs.size(); ++k) {
+    for (std::size_t choice = 0; choice < knobs[k].choices.size(); ++choice) {
+      Setting turned = standard;
+      turned[k] = static_cast<std::uint8_t>(choice);
+      settings.add(turned);
+    }
+  }
+  // Counts like an odometer through the choices that are combined.
+  const auto combined = [&](std::size_t k, std::size_t choice) {
+    return (knobs[k].combined >> choice & 1U) != 0;
+  };
+  Setting at{};
+  for (bool more = !knobs.empty(); more;) {
+    bool wanted = true;
+    for (std::size_t k = 0; k < knobs.size(); ++k) wanted = wanted && combined(k, at[k]);
+    if (wanted) settings.add(at);
+    more = false;
+    for (std::size_t k = 0; k < knobs.size() && !more; ++k) {
+      at[k] = static_cast<std::uint8_t>(at[k] + 1U);
+      more = at[k] < knobs[k].choices.size();
+      if (!more) at[k] = 0;
+    }
+  }
+  return settings;
+}
+
+/// A program to look at.
+struct Scene {
+  std::string_view name;
+  std::span<const Knob> knobs{};
+  Settings settings{};
+  /// Begins with a setting; `fixed`: 0 takes its choices, 1 is the program with its knobs as constants, 2 the
+  /// finest.
+  void (*start)(const Setting& setting, int fixed) noexcept = nullptr;
+  /// A frame on `canvas()`: this is what is counted.
+  intaglio::Status (*draw)(std::uint32_t frame) noexcept = nullptr;
+  /// The colours of that frame.
+  std::span<const std::uint8_t> (*palette)() noexcept = nullptr;
+
+  /// How many variants there are as constants: the standard one, and with knobs the finest.
+  [[nodiscard]] constexpr int fixed_count() const noexcept { return knobs.empty() ? 1 : 2; }
+  /// How many variants there are: first those as constants, then the settings.
+  [[nodiscard]] constexpr int variants() const noexcept {
+    return fixed_count() + (knobs.empty() ? 0 : settings.count);
+  }
+  /// Begins with a variant.
+  void start_variant(int variant) const noexcept {
+    const int setting = variant - fixed_count();
+    start(settings.list[static_cast<std::size_t>(setting < 0 ? 0 : setting)], setting < 0 ? variant + 1 : 0);
+  }
+};
+
+/// All scenes. They share a canvas and the room that a program lives in.
+[[nodiscard]] std::span<const Scene> scenes() noexcept;
+
+/// What scenes draw on.
+[[nodiscard]] intaglio::image::Surface<intaglio::image::Indexed8> canvas() noexcept;
+
+/// Room for one program.
+inline constexpr std::size_t room_bytes = std::size_t{144} * 1024;
+[[nodiscard]] void* room() noexcept;
+
+/// A type's name without its namespaces, as `NAME` in "... [with T = ns::NAME; ..." or "... [T = ns::NAME]".
+template <class T>
+[[nodiscard]] constexpr std::string_view type_name() noexcept {
+  std::string_view text = __PRETTY_FUNCTION__;
+  text = text.substr(text.find("T = ") + 4);
+  text = text.substr(0, text.find_first_of(";]"));
+  const std::size_t colon = text.substr(0, text.find('<')).rfind(':');
+  return colon == std::string_view::npos ? text : text.substr(colon + 1);
+}
+
+/// A program in the room.
+template <class App>
+class Stage {
+ public:
+  static_assert(sizeof(App) <= room_bytes);
+  static void start() noexcept { app_ = new (room()) App(screen); }
+  static intaglio::Status draw(std::uint32_t frame) noexcept {
+    app_->update(frame);
+    return app_->draw(canvas());
+  }
+  static std::span<const std::uint8_t> palette() noexcept { return app_->palette(); }
+
+ private:
+  static inline constinit App* app_ = nullptr;
+};
+
+/// A scene without knobs.
+template <class App>
+[[nodiscard]] constexpr Scene plain_scene(std::string_view name) noexcept {
+  return {name,
+          {},
+          {},
+          [](const Setting& /*setting*/, int /*fixed*/) noexcept { Stage<App>::start(); },
+          &Stage<App>::draw,
+          &Stage<App>::palette};
+}
+
+/// A scene with knobs: `App<Knobs>` where Knobs are those of the program, the finest ones, and variables that
+/// `turn` sets.
+template <class Standard, class Finest, class Turned, void (*turn)(const Setting&) noexcept>
+class KnobScene {
+ public:
+  static void start(const Setting& setting, int fixed) noexcept {
+    fixed_ = fixed;
+    turn(setting);
+    if (fixed == 1) Stage<Standard>::start();
+    if (fixed == 2) Stage<Finest>::start();
+    if (fixed == 0) Stage<Turned>::start();
+  }
+  static intaglio::Status draw(std::uint32_t frame) noexcept {
+    return fixed_ == 1   ? Stage<Standard>::draw(frame)
+           : fixed_ == 2 ? Stage<Finest>::draw(frame)
+                         : Stage<Turned>::draw(frame);
+  }
+  static std::span<const std::uint8_t> palette() noexcept {
+    return fixed_ == 1   ? Stage<Standard>::palette()
+           : fixed_ == 2 ? Stage<Finest>::palette()
+                         : Stage<Turned>::palette();
+  }
+  static constexpr Scene scene(std::string_view name, std::span<const Knob> knobs,
+                               const Settings& settings) noexcept {
+    return {name, knobs, settings, &start, &draw, &palette};
+  }
+
+ private:
+  static inline constinit int fixed_ = 0;
+};
+
+}  // namespace lab::frames

@@ -31,6 +31,12 @@ class Core(typing.NamedTuple):
     def build(self):
         return ROOT / "build" / (self.name if self.machine else "host-release")
 
+    def cycles(self, row):
+        """Modelled cycles of a row's counts."""
+        model = self.model
+        return (float(row["instructions"]) + model.load * float(row["loads"]) + model.store * float(row["stores"]) +
+                model.multiply * float(row["multiplies"]) + model.divide * float(row["divides"]))
+
 
 _ARM = "arm-none-eabi-"
 _RISCV = "riscv64-unknown-elf-"

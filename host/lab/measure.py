@@ -46,7 +46,7 @@ def build(cores):
             compiler = core.tools + "g++"
             if shutil.which(compiler) is None:
                 raise MissingTool(f"{compiler} isn't installed (packages in firmware/packages)")
-            run(ROOT / "tests/target/build_cross", core.name, "lab-count")
+            run(ROOT / "tests/target/build_cross", core.name, "lab-count", "lab-frames")
 
 
 def families(work):
@@ -72,8 +72,8 @@ def slots(all_families):
                 yield family["name"], load["name"], rung["name"]
 
 
-def _count_in_qemu(core, folder):
-    image = core.build / "bin/lab-count"
+def _count_in_qemu(core, folder, program):
+    image = core.build / "bin" / program
     symbols = run(core.tools + "nm", image)
     mailbox = re.search(r"^([0-9a-f]+) . lab_mailbox$", symbols, re.MULTILINE)[1]
     out = folder / "counts"
@@ -97,26 +97,26 @@ def _count_in_callgrind(folder, *program):
     return lines
 
 
-def count(core):
-    """What one core counts, a list of (counts, stack, digest) in the order of slots()."""
+def count(core, program="lab-count", times=2):
+    """What one core counts, a list of (counts, stack, digest) in the order of slots(), or of lab-frames."""
     if not core.machine:
-        return count_here(core.build / "bin/lab-count")
-    return _twice(core.name, lambda folder: _count_in_qemu(core, folder))
+        return count_here(core.build / "bin" / program, times=times)
+    return _repeated(core.name, times, lambda folder: _count_in_qemu(core, folder, program))
 
 
-def count_here(*program):
+def count_here(*program, times=2):
     """What a program for the desk counts, as count() says it."""
-    return _twice(program[0].name, lambda folder: _count_in_callgrind(folder, *program))
+    return _repeated(program[0].name, times, lambda folder: _count_in_callgrind(folder, *program))
 
 
-def _twice(name, lines_of):
-    """What is counted, parsed. Counted twice: a count that doesn't repeat is none."""
+def _repeated(name, times, lines_of):
+    """What is counted, parsed. Counted `times` times: a count that doesn't repeat is none."""
     runs = []
-    for _ in range(2):
+    for _ in range(times):
         with tempfile.TemporaryDirectory() as folder:
             runs.append(lines_of(Path(folder)))
     lines = runs[0]
-    if lines != runs[1]:
+    if any(lines != other for other in runs):
         raise Failure(f"{name}: two runs count differently")
     return [([int(number) for number in lines[i].split()], int(lines[i + 1]), int(lines[i + 2]))
             for i in range(0, len(lines), 3)]

@@ -18,9 +18,7 @@ SHOWN_FIRST = ("cortex-m0plus", "cortex-m3")
 
 def cycles(row):
     """Modelled cycles."""
-    model = CORES[row["core"]].model
-    return (float(row["instructions"]) + model.load * float(row["loads"]) + model.store * float(row["stores"]) +
-            model.multiply * float(row["multiplies"]) + model.divide * float(row["divides"]))
+    return CORES[row["core"]].cycles(row)
 
 
 def turns(rows, factor=1.3):

@@ -76,6 +76,7 @@ Frame drawn(const Scene& scene, std::uint32_t number) {
 std::vector<Frame> all_frames(const Scene& scene, int variant) {
   scene.start_variant(variant);
   std::vector<Frame> frames;
+  frames.reserve(lab::frames::looked_at.size());
   for (const std::uint32_t number : lab::frames::looked_at) frames.push_back(drawn(scene, number));
   return frames;
 }
@@ -152,7 +153,7 @@ void write_picture(const Scene& scene, int variant, std::uint32_t number, const 
 
 }  // namespace
 
-int main(int count, char** arguments) {
+int main(int count, char** arguments) try {
   CLI::App program("What whole frames look like under each setting of a program's knobs");
   program.require_subcommand(1);
   std::string name;
@@ -167,17 +168,15 @@ int main(int count, char** arguments) {
   picture->add_option("frame", number)->required();
   picture->add_option("file", path)->required();
   CLI11_PARSE(program, count, arguments);
-  try {
-    if (list->parsed()) {
-      ordered_json all = ordered_json::array();
-      for (const Scene& scene : lab::frames::scenes()) all.push_back(described(scene));
-      std::puts(all.dump(1).c_str());
-    } else {
-      write_picture(scene_called(name), variant, number, path);
-    }
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "lab-scenes: %s\n", error.what());
-    return 1;
+  if (list->parsed()) {
+    ordered_json all = ordered_json::array();
+    for (const Scene& scene : lab::frames::scenes()) all.push_back(described(scene));
+    std::puts(all.dump(1).c_str());
+  } else {
+    write_picture(scene_called(name), variant, number, path);
   }
   return 0;
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "lab-scenes: %s\n", error.what());
+  return 1;
 }

@@ -14,12 +14,72 @@ using apps::gauges::readings_at;
 
 constexpr std::array<std::uint32_t, 5> frames{0, 20, 57, 151, 1399};
 
+template <class F>
+using Finest = apps::gauges::TunedGauges<F, apps::gauges::FinestKnobs>;
+
+// Each knob as far from the standard one as it goes.
+struct CoarseKnobs : apps::gauges::DefaultKnobs {
+  using Mixing = apps::MixCodes;
+  static constexpr int wedges = 16;
+  static constexpr int face_steps = 1;
+  static constexpr apps::gauges::Edges edges = apps::gauges::Edges::box_2x2;
+  static constexpr int edge_steps = 3;
+};
+struct HardKnobs : apps::gauges::FinestKnobs {
+  static constexpr apps::gauges::Edges edges = apps::gauges::Edges::hard;
+};
+template <class F>
+using Coarse = apps::gauges::TunedGauges<F, CoarseKnobs>;
+
 TEST(Gauges, BandsEqualTheWholeFrame) {
   expect_bands_equal_frame<Gauges, image::Indexed8>(palette_screen({320, 240}, 256), frames);
   expect_bands_equal_frame<Gauges, image::Indexed8>(palette_screen({97, 133}, 256), frames);
   expect_bands_equal_frame<Gauges, image::Indexed4>(grey_screen<image::Indexed4>({128, 64}), frames);
   expect_bands_equal_frame<Gauges, image::Indexed2Lsb>(palette_screen({131, 70}, 4), frames);
   expect_bands_equal_frame<Gauges, image::Indexed1>(grey_screen<image::Indexed1>({96, 16}), frames);
+}
+
+// A panel on which no text fits, so that no font's version counts.
+TEST(Gauges, StandardKnobsDrawWhatWasDrawnBeforeThereWereKnobs) {
+  constexpr std::array<std::pair<std::uint32_t, std::uint32_t>, 5> before{
+      {{20, 0xA598FA6D}, {57, 0x52B8EF27}, {151, 0xAA160E56}, {700, 0xF336E3EA}, {1399, 0xB890E76A}}};
+  const Screen screen = palette_screen({93, 102}, 256);
+  Gauges<image::Indexed8> app(screen.info());
+  for (const auto& [frame, digest] : before) {
+    app.update(frame);
+    const auto pixels = drawn<Gauges<image::Indexed8>, image::Indexed8>(app, screen.size);
+    const auto picture = image::Picture<image::Indexed8>::over(pixels, screen.size);
+    EXPECT_EQ(image::digest(picture.value(), app.palette()), digest) << "frame " << frame;
+  }
+}
+
+TEST(Gauges, TurnedKnobsKeepBandsAndFramesEqual) {
+  expect_bands_equal_frame<Finest, image::Indexed8>(palette_screen({320, 240}, 256), frames);
+  expect_bands_equal_frame<Coarse, image::Indexed8>(palette_screen({320, 240}, 256), frames);
+  expect_bands_equal_frame<Finest, image::Indexed4>(palette_screen({161, 90}, 16), frames);
+}
+
+TEST(Gauges, TurnedKnobsAreSoundOnEveryScreen) {
+  for (const linear::Size size : sizes) {
+    expect_sound<Finest, image::Indexed8>(palette_screen(size, 256), 0, 600, 61);
+    expect_sound<Finest, image::Indexed8>(palette_screen(size, 100), 0, 600, 153);
+    expect_sound<Coarse, image::Indexed8>(palette_screen(size, 256), 0, 600, 153);
+  }
+}
+
+// Without entries for their ramps edges are hard: the same pixels as with hard edges asked for.
+TEST(Gauges, EdgesWithoutEntriesAreHard) {
+  using Hard = apps::gauges::TunedGauges<image::Indexed8, HardKnobs>;
+  for (const int entries : {16, 160, 256}) {
+    const Screen screen = palette_screen({320, 240}, entries);
+    const auto fine = std::make_unique<Finest<image::Indexed8>>(screen.info());
+    const auto hard = std::make_unique<Hard>(screen.info());
+    fine->update(151);
+    hard->update(151);
+    const bool same = drawn<Finest<image::Indexed8>, image::Indexed8>(*fine, screen.size) ==
+                      drawn<Hard, image::Indexed8>(*hard, screen.size);
+    EXPECT_EQ(same, entries < 256) << entries << " entries";
+  }
 }
 
 TEST(Gauges, BitOrderAndStrideDontMatter) {

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <intaglio/number/sine.hpp>
+#include <intaglio/number/sine_rungs.hpp>
 
 #include <cstdint>
 #include <firmware/apps/theme.hpp>
@@ -39,6 +40,7 @@ struct DefaultKnobs {
 
 /// The most accurate setting of each.
 struct FinestKnobs : DefaultKnobs {
+  using Sine = intaglio::number::SineCordic;
   static constexpr int wedges = 128;
   static constexpr Edges edges = Edges::area;
   static constexpr int edge_steps = 15;

@@ -86,10 +86,11 @@ constexpr std::array<Knob, 5> knobs{{
     {"Sine", sine_names, usual_sine, finest_of(SineFamily{}), 1U << static_cast<unsigned>(usual_sine),
      "what places everything that turns"},
     {"Mixing", mixing_names, 1, 1, 0b11, "how colours fade and glow: their codes are mixed, or their light"},
-    {"wedges", wedge_names, 2, 3, 0b1101, "wedges that a bezel's metal is made of"},
+    {"wedges", wedge_names, 2, 3, 0b1111, "wedges that a bezel's metal is made of"},
     {"face_steps", step_names, 3, 3, 0b1011, "discs that a dial's face is shaded with"},
     {"edges", edge_names, 0, 3, 0b1011, "edges of needles and ticks: hard, by samples, by exact area"},
 }};
+static_assert(knobs[0].finest == index_of<FinestKnobs::Sine>(SineFamily{}));
 static_assert(wedge_choices[2] == DefaultKnobs::wedges && wedge_choices[3] == FinestKnobs::wedges);
 static_assert(step_choices[3] == DefaultKnobs::face_steps && step_choices[3] == FinestKnobs::face_steps);
 constexpr Settings settings = settings_of(knobs);

@@ -19,7 +19,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <new>
+#include <memory>
 #include <span>
 #include <string_view>
 
@@ -57,7 +57,7 @@ struct Settings {
   }
 };
 
-/// The standard setting, each knob alone, and the combinations.
+/// The standard setting, each knob alone, the finest, and the combinations.
 [[nodiscard]] constexpr Settings settings_of(std::span<const Knob> knobs) noexcept {
   Settings settings;
   Setting standard{};
@@ -70,6 +70,9 @@ struct Settings {
       settings.add(turned);
     }
   }
+  Setting finest{};
+  for (std::size_t k = 0; k < knobs.size(); ++k) finest[k] = static_cast<std::uint8_t>(knobs[k].finest);
+  settings.add(finest);
   // Counts like an odometer through the choices that are combined.
   const auto combined = [&](std::size_t k, std::size_t choice) {
     return (knobs[k].combined >> choice & 1U) != 0;
@@ -140,15 +143,15 @@ template <class App>
 class Stage {
  public:
   static_assert(sizeof(App) <= room_bytes);
-  static void start() noexcept { app_ = new (room()) App(screen); }
+  static void start() noexcept { app = std::construct_at(static_cast<App*>(room()), screen); }
   static intaglio::Status draw(std::uint32_t frame) noexcept {
-    app_->update(frame);
-    return app_->draw(canvas());
+    app->update(frame);
+    return app->draw(canvas());
   }
-  static std::span<const std::uint8_t> palette() noexcept { return app_->palette(); }
+  static std::span<const std::uint8_t> palette() noexcept { return app->palette(); }
 
  private:
-  static inline constinit App* app_ = nullptr;
+  static inline constinit App* app = nullptr;
 };
 
 /// A scene without knobs.
@@ -168,21 +171,21 @@ template <class Standard, class Finest, class Turned, void (*turn)(const Setting
 class KnobScene {
  public:
   static void start(const Setting& setting, int fixed) noexcept {
-    fixed_ = fixed;
+    chosen_fixed = fixed;
     turn(setting);
     if (fixed == 1) Stage<Standard>::start();
     if (fixed == 2) Stage<Finest>::start();
     if (fixed == 0) Stage<Turned>::start();
   }
   static intaglio::Status draw(std::uint32_t frame) noexcept {
-    return fixed_ == 1   ? Stage<Standard>::draw(frame)
-           : fixed_ == 2 ? Stage<Finest>::draw(frame)
-                         : Stage<Turned>::draw(frame);
+    return chosen_fixed == 1   ? Stage<Standard>::draw(frame)
+           : chosen_fixed == 2 ? Stage<Finest>::draw(frame)
+                               : Stage<Turned>::draw(frame);
   }
   static std::span<const std::uint8_t> palette() noexcept {
-    return fixed_ == 1   ? Stage<Standard>::palette()
-           : fixed_ == 2 ? Stage<Finest>::palette()
-                         : Stage<Turned>::palette();
+    return chosen_fixed == 1   ? Stage<Standard>::palette()
+           : chosen_fixed == 2 ? Stage<Finest>::palette()
+                               : Stage<Turned>::palette();
   }
   static constexpr Scene scene(std::string_view name, std::span<const Knob> knobs,
                                const Settings& settings) noexcept {
@@ -190,7 +193,7 @@ class KnobScene {
   }
 
  private:
-  static inline constinit int fixed_ = 0;
+  static inline constinit int chosen_fixed = 0;
 };
 
 }  // namespace lab::frames

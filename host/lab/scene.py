@@ -129,7 +129,9 @@ def html_fragment(rows, scenes):
                   f"{html.escape(knob['standard'])}; finest: {html.escape(knob['finest'])}.</li>" for knob in scene["knobs"]]
         parts.append("</ul><p>Error is the mean distance of all pixels' colours (CIE 1976 L*a*b*) from the same frames with "
                      "every knob at its finest. Left: each knob turned alone, against the program as it is. Right: all "
-                     "settings measured; filled ones are beaten by none in both.</p>")
+                     "settings measured; filled ones are beaten by none in both. Knobs are constants of the program's type; "
+                     "counted are all settings of one copy in which they are variables, less what that costs in the "
+                     "standard setting.</p>")
         for core in CORES.values():
             rivals = frames.of(rows, name, core.name)
             if not rivals:

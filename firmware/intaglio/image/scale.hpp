@@ -40,6 +40,20 @@ class ScaleStep {
     return {number::long_divide(centre * source, divisor), number::long_divide(2U * source, divisor),
             divisor};
   }
+  /// Stands between the source pixels index() - 1 and index(), which may not exist, `part()` of the way from
+  /// one's centre to the other's. Preconditions as `at`.
+  [[nodiscard]] static ScaleStep between(int first, int from, int to) noexcept {
+    ScaleStep step = at(first, from, to);
+    step.place_.remainder += static_cast<std::uint32_t>(to);
+    if (step.place_.remainder >= step.divisor_) {
+      step.place_.remainder -= step.divisor_;
+      ++step.place_.quotient;
+    }
+    return step;
+  }
+  /// Of `whole()`.
+  [[nodiscard]] std::uint32_t part() const noexcept { return place_.remainder; }
+  [[nodiscard]] std::uint32_t whole() const noexcept { return divisor_; }
   /// The source pixel, counted from 0.
   [[nodiscard]] int index() const noexcept { return static_cast<int>(place_.quotient); }
   /// On to the next destination pixel.

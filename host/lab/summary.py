@@ -14,8 +14,8 @@ def _by_job(rows):
 
 
 def cheapest(rivals, error):
-    """The cheapest of these rows that is off by no more than `error`."""
-    return min((row for row in rivals if float(row["worst"]) <= error), key=lambda row: float(row["instructions"]))
+    """The cheapest of these rows that promises to be off by no more than `error`."""
+    return min((row for row in rivals if float(row["bound"]) <= error), key=lambda row: float(row["instructions"]))
 
 
 def exact_or(error, unit):
@@ -45,7 +45,7 @@ def turning(rows, factor=1.25):
 
 def table(rows, defaults_error):
     """Lines (job, error, cheapest without a divider, cheapest with it), those that differ first.
-    `defaults_error`: {family: (worst error of the library's own way, its unit)}."""
+    `defaults_error`: {family: (the bound of the library's own way, its unit)}."""
     lines = []
     for family, cores in _by_job(rows).items():
         error, unit = defaults_error[family]

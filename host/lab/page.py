@@ -62,6 +62,19 @@ def png_data(image):
     return "data:image/png;base64," + base64.b64encode(buffer.getvalue()).decode()
 
 
+def cropped(drawn, margin=4, least=64):
+    """Pictures without what all of them leave empty, and small ones enlarged, pixel by pixel."""
+    boxes = [picture.getbbox() for picture in drawn.values() if picture.getbbox()]
+    width, height = next(iter(drawn.values())).size
+    left, top = (max(0, min(box[i] for box in boxes) - margin) for i in (0, 1))
+    right = min(width, max(left + least, max(box[2] for box in boxes) + margin))
+    bottom = min(height, max(top + least, max(box[3] for box in boxes) + margin))
+    times = max(1, min(width // (right - left), height // (bottom - top)))
+    return {rung: picture.crop((left, top, right, bottom))
+                         .resize(((right - left) * times, (bottom - top) * times), Image.Resampling.NEAREST)
+            for rung, picture in drawn.items()}
+
+
 def pictures(family, load, rivals):
     """What each rung draws, and eight times the difference from the most accurate one; empty if nothing is drawn."""
     drawn = {}
@@ -73,6 +86,7 @@ def pictures(family, load, rivals):
                 return []
             drawn[row["rung"]] = Image.open(file).convert("L").copy()
     best = min(rivals, key=lambda row: (float(row["worst"]), float(row["mean"])))["rung"]
+    drawn = cropped(drawn)
     shown = []
     for row in rivals:
         picture = drawn[row["rung"]]

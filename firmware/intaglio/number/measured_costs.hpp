@@ -14,7 +14,7 @@
 namespace intaglio::number {
 
 // clang-format off
-inline constexpr std::array<MeasuredCost, 114> measured_costs{{
+inline constexpr std::array<MeasuredCost, 117> measured_costs{{
     // antialiasing: triangles, where one edge is in a pixel
     {"NoAntialiasing", {363200, 210800, 209567, 208533, 223533, 238600, 250433}},
     {"ExactArea", {2583033, 1069633, 1067600, 1067967, 1504900, 1136333, 1080533}},
@@ -77,6 +77,10 @@ inline constexpr std::array<MeasuredCost, 114> measured_costs{{
     {"SpanFlood", {21522050, 9947200, 9988200, 9976000, 9008200, 8455750, 8621650}},
     {"PixelStackFlood", {89800050, 33948300, 33948300, 33948300, 49294000, 28352250, 40410300}},
     {"SweepFlood", {172745050, 47835300, 47835400, 41616100, 176783900, 33505450, 44990300}},
+    // image-rotate: 40x30 by any angle
+    {"RotateNearest", {31777, 5147, 5151, 5107, 13530, 6967, 5095}},
+    {"RotateThreeShear", {38555, 7867, 7851, 7914, 20029, 10694, 7044}},
+    {"RotateBilinear", {40913, 9061, 9204, 9124, 17450, 11659, 9412}},
     // image-scale: 24x16 to 60x40
     {"ScaleNearest", {2280, 1141, 1141, 1017, 1041, 1011, 1219}},
     {"ScaleBilinear4", {8511, 3788, 3885, 3859, 3899, 3678, 4375}},

@@ -42,7 +42,7 @@ std::string fault(Contour points, int width, bool closed) {
       const oracle::StrokeArea area(points, stroke);
       RecordingSink sink(window);
       if (!draw_polyline(sink, points, stroke, workspace).ok()) return "refused";
-      const std::string wrong = sink.fault([&](int x, int y) { return area.holds(x, y); });
+      std::string wrong = sink.fault([&](int x, int y) { return area.holds(x, y); });
       if (!wrong.empty()) return wrong;
       if (sink.touched() == 0) return "nothing drawn";
     }

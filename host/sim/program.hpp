@@ -4,7 +4,7 @@
 // pixel format is known only at run time.
 #pragma once
 
-#include <hal/sim/panel.hpp>
+#include <hal/panel.hpp>
 #include <intaglio/present/run.hpp>
 #include <intaglio/status.hpp>
 
@@ -23,8 +23,7 @@ struct Program {
   std::string_view name;
   std::string_view description;
   /// Runs `frames` frames, one every `interval` VBLANKs.
-  intaglio::Status (*run)(hal::sim::Panel& panel, int interval, std::uint32_t frames,
-                          const OnFrame& on_frame);
+  intaglio::Status (*run)(hal::Panel& panel, int interval, std::uint32_t frames, const OnFrame& on_frame);
 };
 
 /// All programs, those a user is most likely to want first.
@@ -34,7 +33,7 @@ struct Program {
 
 /// `Program::run` for panels of one pixel format.
 template <class App, intaglio::image::PixelFormat F>
-intaglio::Status run_in_format(hal::sim::Panel& panel, int interval, std::uint32_t frames,
+intaglio::Status run_in_format(hal::Panel& panel, int interval, std::uint32_t frames,
                                const OnFrame& on_frame) {
   App app(intaglio::present::screen_info(panel.capabilities()));
   if (panel.capabilities().buffers > 0) {
@@ -50,7 +49,7 @@ intaglio::Status run_in_format(hal::sim::Panel& panel, int interval, std::uint32
 
 /// `Program::run` of a class template over the pixel format.
 template <template <intaglio::image::PixelFormat> class App>
-intaglio::Status run_on_panel(hal::sim::Panel& panel, int interval, std::uint32_t frames,
+intaglio::Status run_on_panel(hal::Panel& panel, int interval, std::uint32_t frames,
                               const OnFrame& on_frame) {
   namespace image = intaglio::image;
   const auto run = [&]<class F>(F) { return run_in_format<App<F>, F>(panel, interval, frames, on_frame); };

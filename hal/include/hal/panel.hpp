@@ -44,6 +44,9 @@ struct Capabilities {
   int palette_entries = 0;
   /// Bits a channel that the device keeps of each 8-bit colour component.
   int palette_bits = 8;
+  /// True if colours are applied to pixels as they are written: loading a palette changes nothing that is
+  /// shown until it is written again. Write panels only.
+  bool palette_on_write = false;
   /// The colours of the indices where no palette can be loaded: 3 bytes an entry, 2^bits_per_pixel entries.
   std::span<const std::uint8_t> fixed_palette{};
   /// Frame buffers in the program's memory that the device scans out; 0: a write panel.

@@ -9,12 +9,13 @@ namespace hal {
 
 enum class Error : std::uint8_t {
   none,
-  invalid,      ///< An argument the device can't take; `part()` names it.
-  misaligned,   ///< A rectangle that doesn't meet the alignment the panel states.
-  unsupported,  ///< The device has no such feature.
-  busy,         ///< The last request hasn't taken effect yet.
-  timeout,      ///< The device didn't answer in time.
-  bus,          ///< The transfer failed (no acknowledgement, line fault).
+  invalid,       ///< An argument the device can't take; `part()` names it.
+  misaligned,    ///< A rectangle that doesn't meet the alignment the panel states.
+  unsupported,   ///< The device has no such feature.
+  busy,          ///< The last request hasn't taken effect yet.
+  timeout,       ///< The device didn't answer in time.
+  bus,           ///< The transfer failed (no acknowledgement, line fault).
+  disconnected,  ///< The device is gone: unplugged, or taken away by the system.
 };
 
 /// The argument or the part of the hardware an error is about.

@@ -54,11 +54,18 @@ std::string_view language_help() {
                              less than half opaque are left out. SCALE (1/256 to 256) and ANGLE (in 1/65536 turn,
                              clockwise) are about its middle, which stays
   stretch FILE X Y W H       a PNG in this rectangle
+  dither off | dither METHOD [LEVELS]
+                             later sprites and stretches in greys, on the first LEVELS indices (all if not given),
+                             black to white: none (the nearest level), bayer2, bayer4, bayer8 (thresholds of a
+                             matrix), threetap, fourtap (Floyd and Steinberg), serpentine (what a pixel is off by
+                             goes to its neighbours, from the surface's top left on)
   method NAME                how the next primitive is drawn, to the same pixels: triangle walk (the default), box,
                              blocks; polygon active (the default), basic, critical; line exact (the default),
-                             distance. To others: sprite with an angle zoom (the default), shear (no pixel is lost
-                             or doubled; SCALE must be 1); line line1, line2 (whole pixels; the longer, the less
-                             exact); thickline across (the default), minor (WIDTH whole pixels in each column or row)
+                             distance. To others: line line1, line2 (whole pixels; the longer, the less exact);
+                             thickline across (the default), minor (WIDTH whole pixels in each column or row); sprite
+                             with an angle zoom (the default), or with SCALE 1 shear (no pixel is lost or doubled) or
+                             bilinear; stretch nearest (the default), bilinear, or box (each pixel the mean of what
+                             lies under it, best to shrink)
   font NAME                  fixed_6x13 (the default), fixed_5x8, sans_11, digits_16, digits_28, digits_48
   text X Y "UTF-8"           top left of the text; escapes \" \\ and \n (next line)
 The surface is black (index 0) at first. Coordinates are whole pixels up to 2^20 either way, and may lie outside

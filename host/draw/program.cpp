@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <host/draw/arguments.hpp>
+#include <host/draw/methods.hpp>
 #include <host/draw/program.hpp>
 #include <host/draw/smoothing.hpp>
 #include <host/draw/words.hpp>
@@ -31,7 +32,6 @@ namespace {
 using intaglio::Status;
 using intaglio::raster::Cap;
 using intaglio::raster::FillRule;
-using intaglio::raster::Join;
 using intaglio::text::Font;
 using linear::Point;
 using linear::SubPoint;
@@ -44,30 +44,6 @@ constexpr auto fonts = std::to_array<std::pair<std::string_view, const Font*>>({
     {"digits_28", &intaglio::fonts::digits_28},
     {"digits_48", &intaglio::fonts::digits_48},
 });
-
-// The methods that draw a primitive; the first is what it takes without being told.
-constexpr auto line_methods =
-    std::to_array<std::pair<std::string_view, LineMethod>>({{"exact", LineMethod::exact},
-                                                            {"line1", LineMethod::line1},
-                                                            {"line2", LineMethod::line2},
-                                                            {"distance", LineMethod::distance}});
-constexpr auto thick_line_methods = std::to_array<std::pair<std::string_view, ThickLineMethod>>(
-    {{"across", ThickLineMethod::across}, {"minor", ThickLineMethod::minor}});
-constexpr std::array<std::pair<std::string_view, TriangleMethod>, 3> triangle_methods{
-    {{"walk", TriangleMethod::walk}, {"box", TriangleMethod::box}, {"blocks", TriangleMethod::blocks}}};
-constexpr std::array<std::pair<std::string_view, PolygonMethod>, 3> polygon_methods{
-    {{"active", PolygonMethod::active},
-     {"basic", PolygonMethod::basic},
-     {"critical", PolygonMethod::critical}}};
-
-constexpr auto joins = std::to_array<std::pair<std::string_view, Join>>(
-    {{"miter", Join::miter}, {"bevel", Join::bevel}, {"round", Join::round}});
-constexpr auto caps = std::to_array<std::pair<std::string_view, Cap>>(
-    {{"butt", Cap::butt}, {"square", Cap::square}, {"round", Cap::round}});
-
-// For sprites that are turned.
-constexpr std::array<std::pair<std::string_view, SpriteMethod>, 2> turning_methods{
-    {{"zoom", SpriteMethod::zoom}, {"shear", SpriteMethod::shear}}};
 
 /// What is wrong, in the library's words.
 std::string in_words(Status status) {
@@ -336,22 +312,36 @@ class Interpreter {
       if (sprite.scale < 1 || sprite.scale > 1 << 16) throw Failure("the scale must be 1/256 to 256");
       sprite.angle = intaglio::number::Angle::from_steps(in.whole("angle"));
       sprite.method = chosen(turning_methods);
-      if (sprite.method == SpriteMethod::shear && sprite.scale != linear::subpixel_one)
-        throw Failure("by shears a sprite keeps its size: the scale must be 1");
+      if (sprite.method != SpriteMethod::zoom && sprite.scale != linear::subpixel_one)
+        throw Failure("by this method a sprite keeps its size: the scale must be 1");
     }
-    in.end();
-    sprite.picture = read_sprite(file, canvas_->palette());
-    pending_ = std::move(sprite);
+    show(in, std::move(sprite), file);
   }
 
   void stretch(Arguments& in) {
     Sprite sprite;
     const std::string& file = in.word("file").text;
-    sprite.method = SpriteMethod::stretch;
     sprite.area = in.rectangle();
+    sprite.method = chosen(stretching_methods);
+    show(in, std::move(sprite), file);
+  }
+
+  void show(Arguments& in, Sprite sprite, const std::string& file) {
     in.end();
-    sprite.picture = read_sprite(file, canvas_->palette());
+    sprite.picture = read_sprite(file);
+    sprite.palette = canvas_->palette();
+    sprite.dither = dither_;
     pending_ = std::move(sprite);
+  }
+
+  void dither(Arguments& in) {
+    if (in.take("off")) {
+      dither_.reset();
+      return;
+    }
+    SpriteDither by{in.one_of("method", dither_methods), last_index() + 1};
+    if (in.left() > 0) by.levels = in.whole("levels", 2, last_index() + 1);
+    dither_ = by;
   }
 
   void text(Arguments& in) {
@@ -447,6 +437,7 @@ class Interpreter {
       {"coverage", &Interpreter::coverage},
       {"boolean", &Interpreter::boolean},
       {"flood", &Interpreter::flood},
+      {"dither", &Interpreter::dither},
       {"sprite", &Interpreter::sprite},
       {"stretch", &Interpreter::stretch},
       {"text", &Interpreter::text},
@@ -456,6 +447,7 @@ class Interpreter {
   Pen pen_;
   const Font* font_ = &intaglio::fonts::fixed_6x13;
   std::array<std::uint8_t, 3> colours_{};
+  std::optional<SpriteDither> dither_;
   std::optional<std::string> method_;  // for the next primitive
   std::optional<Primitive> pending_;
 };

@@ -167,9 +167,9 @@ TEST_F(DrawSprite, MistakesAreNamed) {
   EXPECT_EQ(message("sprite FILE 1048577 1"), "line 2: sprite: position out of domain");
   EXPECT_EQ(message("sprite FILE 1 -2147483647 1 1"), "line 2: sprite: position out of domain");
   EXPECT_EQ(message("method shear\nsprite FILE 1 1 2 7"),
-            "line 3: sprite: by shears a sprite keeps its size: the scale must be 1");
+            "line 3: sprite: by this method a sprite keeps its size: the scale must be 1");
   EXPECT_EQ(message("method box\nsprite FILE 1 1 2 7"),
-            "line 3: sprite: no method 'box'; there are zoom shear");
+            "line 3: sprite: no method 'box'; there are zoom shear bilinear");
   EXPECT_EQ(message("method shear\nsprite FILE 1 1"), "line 3: sprite: no method 'shear'; there is only one");
   EXPECT_EQ(message("stretch FILE 1 1 2"), "line 2: stretch: height is missing");
   EXPECT_EQ(message("stretch FILE 1 1 2097153 1"), "line 2: stretch: size out of domain");

@@ -32,6 +32,7 @@ struct ImageOptions {
   int bits = 8;            ///< Bits a pixel: 1, 2, 4, 8.
   bool lsb_first = false;  ///< The low end of a byte is its leftmost pixel.
   double dither = 0;       ///< 0: none .. 1: full Floyd-Steinberg.
+  bool ordered = false;    ///< By Bayer's matrix instead.
 };
 
 struct PolygonOptions {

@@ -3,9 +3,10 @@
 // intaglio-assets image: a PNG as an indexed picture and its palette.
 //
 // A picture that has no more colours than allowed keeps them exactly, numbered in the order in which they
-// first appear; others are reduced by libimagequant. Pixels less than half opaque become one more index,
-// `transparent`, for blits with a colour key.
+// first appear; others are reduced by libimagequant, and dithered by it or by ordered.hpp. Pixels less than
+// half opaque become one more index, `transparent`, for blits with a colour key.
 #include <host/assets/commands.hpp>
+#include <host/assets/ordered.hpp>
 #include <host/assets/table.hpp>
 #include <host/failure.hpp>
 #include <host/png.hpp>
@@ -23,8 +24,6 @@
 
 namespace host::assets {
 namespace {
-
-using Colour = std::array<std::uint8_t, 3>;
 
 struct Indexed {
   std::vector<std::uint8_t> indices;
@@ -65,7 +64,8 @@ void check(liq_error error) {
 template <class T>
 using Owned = std::unique_ptr<T, void (*)(T*)>;
 
-Indexed quantise(const RgbaPicture& picture, std::size_t pixels, std::size_t most, double dither) {
+Indexed quantise(const RgbaPicture& picture, std::size_t pixels, std::size_t most,
+                 const ImageOptions& options) {
   std::vector<std::uint8_t> opaque = picture.rgba;
   for (std::size_t pixel = 0; pixel < pixels; ++pixel) opaque[4 * pixel + 3] = 255;
   const Owned<liq_attr> attributes(liq_attr_create(), liq_attr_destroy);
@@ -76,13 +76,15 @@ Indexed quantise(const RgbaPicture& picture, std::size_t pixels, std::size_t mos
   liq_result* raw = nullptr;
   check(liq_image_quantize(image.get(), attributes.get(), &raw));
   const Owned<liq_result> result(raw, liq_result_destroy);
-  check(liq_set_dithering_level(result.get(), static_cast<float>(dither)));
+  check(liq_set_dithering_level(result.get(), static_cast<float>(options.dither)));
   Indexed out;
   out.indices.resize(pixels);
   check(liq_write_remapped_image(result.get(), image.get(), out.indices.data(), out.indices.size()));
   const liq_palette* const palette = liq_get_palette(result.get());
   for (unsigned i = 0; i < palette->count; ++i)
     out.palette.push_back({palette->entries[i].r, palette->entries[i].g, palette->entries[i].b});
+  if (options.ordered)
+    out.indices = dither_ordered(picture.rgba, static_cast<std::size_t>(picture.width), out.palette);
   return out;
 }
 
@@ -100,7 +102,7 @@ Indexed index_picture(const RgbaPicture& picture, const ImageOptions& options) {
   if (!exact && most < 2)
     throw Failure(fmt::format("{}: more than one colour beside the transparent one needs more than 2 entries",
                               options.heading.source));
-  Indexed out = exact ? *exact : quantise(picture, pixels, most, options.dither);
+  Indexed out = exact ? *exact : quantise(picture, pixels, most, options);
   if (holes) {
     out.transparent = out.palette.size();
     out.palette.push_back({0, 0, 0});

@@ -69,8 +69,13 @@ int run(int argc, char** argv) {
   image_command.add_option("--order", order, "Which end of a byte is its leftmost pixel: msb or lsb")
       ->check(CLI::IsMember({"msb", "lsb"}))
       ->capture_default_str();
-  image_command.add_option("--dither", image.dither, "0 (none) to 1, if the picture has too many colours")
-      ->check(CLI::Range(0.0, 1.0))
+  std::string dither = "0";
+  image_command
+      .add_option(
+          "--dither", dither,
+          "If the picture has too many colours: ordered (by a matrix), diffusion, or how much of that, "
+          "0 (none) to 1")
+      ->check(CLI::IsMember({"ordered", "diffusion"}) | CLI::Range(0.0, 1.0))
       ->capture_default_str();
 
   host::assets::PolygonOptions polygons;
@@ -90,6 +95,8 @@ int run(int argc, char** argv) {
     return app.exit(error) == 0 ? 0 : 1;
   }
   image.lsb_first = order == "lsb";
+  image.ordered = dither == "ordered";
+  if (!image.ordered) image.dither = dither == "diffusion" ? 1 : std::stod(dither);
   polygons.y_down = !y_up;
   if (font_command.parsed()) compile(font, output, host::assets::font_header);
   if (image_command.parsed()) compile(image, output, host::assets::image_header);

@@ -2,12 +2,16 @@
 //
 // intaglio-assets as a user runs it. What it writes is checked by compiling it, freestanding, with static
 // assertions on its content.
+#include <host/assets/ordered.hpp>
 #include <host/png.hpp>
 #include <tests/host/run_tool.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -142,6 +146,52 @@ TEST_F(Assets, ImageWithManyColoursIsReducedToThoseAllowed) {
   )");
 }
 
+TEST_F(Assets, DitheredImageHasTheMeanOfTheColoursThatItLost) {
+  // Greys from left to right, of which two are left.
+  host::IndexedPicture picture{64, 16, {}, {}};
+  for (int i = 0; i < 64 * 16; ++i) picture.indices.push_back(static_cast<std::uint8_t>(i % 64));
+  for (int i = 0; i < 64; ++i) picture.palette_rgb.insert(picture.palette_rgb.end(), 3, std::uint8_t(4 * i));
+  test_host::write(folder_ / "p.png", host::encode_png(picture));
+  for (const std::string dither : {"ordered", "diffusion", "1", "0"}) {
+    const std::string header = folder_ / (dither + ".hpp");
+    std::string command = "image " + (folder_ / "p.png") + " --bits 1 --name p --dither ";
+    command.append(dither).append(" -o ").append(header);
+    const Outcome outcome = assets(command);
+    ASSERT_EQ(outcome.code, 0) << outcome.output;
+    const std::string mean_is_kept = dither == "0" ? "off > 20 * 128" : "off < 6 * 128";
+    expect_compiles(header, R"(
+      using namespace intaglio::images::p;
+      constexpr int off_by() {  // of 8x16 pixels with a mean of 110
+        int sum = 0;
+        for (int y = 0; y < 16; ++y)
+          for (int x = 24; x < 32; ++x) sum += palette[3 * picture.get(x, y)] - 110;
+        return sum < 0 ? -sum : sum;
+      }
+      constexpr int off = off_by();
+      static_assert()" + mean_is_kept +
+                                ");");
+  }
+  EXPECT_EQ(test_host::read(folder_ / "diffusion.hpp"), test_host::read(folder_ / "1.hpp"));
+  EXPECT_NE(test_host::read(folder_ / "ordered.hpp"), test_host::read(folder_ / "1.hpp"));
+}
+
+TEST_F(Assets, OrderedDitheringLeavesColoursOfThePaletteAndIsEvenWithinOne) {
+  using host::assets::Colour;
+  const std::vector<Colour> palette{{200, 200, 200}, {0, 0, 0}, {255, 0, 0}, {100, 100, 100}};
+  const auto shown = [&](Colour colour) {
+    std::vector<std::uint8_t> rgba;
+    for (int i = 0; i < 64; ++i) rgba.insert(rgba.end(), {colour[0], colour[1], colour[2], 255});
+    std::array<int, 4> counts{};
+    for (const auto entry : host::assets::dither_ordered(rgba, 8, palette)) ++counts.at(entry);
+    return counts;
+  };
+  for (std::size_t i = 0; i < palette.size(); ++i) EXPECT_EQ(shown(palette[i]).at(i), 64) << i;
+  EXPECT_EQ(shown({150, 150, 150}), (std::array<int, 4>{32, 0, 0, 32}));
+  EXPECT_EQ(shown({25, 25, 25}), (std::array<int, 4>{0, 48, 0, 16}));
+  EXPECT_EQ(shown({192, 0, 0}), (std::array<int, 4>{0, 16, 48, 0}));
+  EXPECT_EQ(shown({255, 255, 255}), (std::array<int, 4>{64, 0, 0, 0}));
+}
+
 TEST_F(Assets, PolygonsAreRoundedRingsWithoutTheirClosingVertex) {
   test_host::write(folder_ / "p.json", R"({"type": "FeatureCollection", "features": [
     {"type": "Feature", "properties": {}, "geometry": null},
@@ -238,6 +288,8 @@ TEST_F(Assets, BadImagesAreRefused) {
   expect_refused("image", text, "", "not a PNG");
   expect_refused("image", cut, "", "PNG");
   expect_refused("image", whole, "--bits 2 --colours 5", "5 colours don't fit 2 bits");
+  EXPECT_THAT(assets("image x.png --name x -o x.hpp --dither 2").output, HasSubstr("--dither"));
+  EXPECT_THAT(assets("image x.png --name x -o x.hpp --dither bayer").output, HasSubstr("--dither"));
 }
 
 TEST_F(Assets, BadPolygonsAreRefused) {

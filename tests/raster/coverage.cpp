@@ -253,7 +253,7 @@ TEST(Coverage, NeedsCellsForVisibleColumnsAndEdgesOnlyAndSaysSo) {
   const std::vector<SubPoint> square{{0, 0}, {2560, 0}, {2565, 2560}, {5, 2560}};
   LevelSink sink({-5, -5, 100, 100});
   // Eleven columns and one more; two edges that aren't level and one more.
-  constexpr std::uint32_t needed = 12 + 3 * (sizeof(void*) == 8 ? 8 : 7);
+  constexpr std::uint32_t needed = 12 + 3 * (sizeof(void*) == 8 ? 9 : 8);
   static_assert(coverage_cells(2, 11) == needed);
   std::vector<CoverageCell> few(needed - 1);
   EXPECT_EQ(fill_coverage(sink, FillRule::even_odd, square, few),

@@ -12,8 +12,6 @@ namespace detail {
 namespace {
 
 constexpr int half = linear::subpixel_one / 2;
-// Bits of a place beyond the 1/256 pixel: 2^-32 pixel in all.
-constexpr int fraction_bits = 32 - linear::subpixel_bits;
 // From 1/256 row to a height in 2^-30.
 constexpr int height_bits = 30 - linear::subpixel_bits;
 
@@ -23,24 +21,45 @@ constexpr int side(int row) noexcept { return row * linear::subpixel_one - half;
 /// The row or column whose sides hold a place.
 constexpr int pixel_at(int place) noexcept { return (place + half) >> linear::subpixel_bits; }
 
-constexpr std::int64_t with_fraction(int value) noexcept {
-  return value * (std::int64_t{1} << fraction_bits);
-}
+using Place = CoverageEdge::Place;
 
-struct Place {
-  std::int64_t value;       // with fraction bits, rounded down
-  std::uint32_t remainder;  // over the divisor
-};
-/// a * b / c for a b of either sign. Precondition: a, |b| <= 2^29, 0 < c <= 2^29, |a * b| / c < 2^32.
-Place scaled(std::uint32_t a, std::int32_t b, std::uint32_t c) noexcept {
-  const bool negative = b < 0;
-  const auto size = static_cast<std::uint32_t>(negative ? -b : b);
-  const auto whole = number::long_divide(std::uint64_t{a} * size, c);
-  const auto fraction = number::long_divide(std::uint64_t{whole.remainder} << fraction_bits, c);
-  const std::int64_t value = (std::int64_t{whole.quotient} << fraction_bits) + fraction.quotient;
-  if (!negative) return {value, fraction.remainder};
-  if (fraction.remainder == 0) return {-value, 0};
-  return {-value - 1, c - fraction.remainder};
+constexpr std::uint32_t upper(std::uint64_t fraction) noexcept {
+  return static_cast<std::uint32_t>(fraction >> 32U);
+}
+/// n * 2^32 / d, rounded down. Precondition: n < d <= 2^29.
+number::LongDivision fraction_of(std::uint32_t n, std::uint32_t d) noexcept {
+  if (d > 0xFFFFU) return number::long_divide(std::uint64_t{n} << 32U, d);
+  const std::uint32_t high = (n << 16U) / d;
+  const std::uint32_t rest = (n << 16U) - high * d;
+  const std::uint32_t low = (rest << 16U) / d;
+  return {high << 16U | low, (rest << 16U) - low * d};
+}
+/// a / b, rounded down. Precondition: |a| <= 2^29, 0 < b <= 2^29.
+Place quotient(std::int32_t a, std::uint32_t b) noexcept {
+  const auto size = static_cast<std::uint32_t>(a < 0 ? -a : a);
+  const std::uint32_t whole = size / b;
+  const number::LongDivision high = fraction_of(size - whole * b, b);
+  const number::LongDivision low = fraction_of(high.remainder, b);
+  const Place place{static_cast<int>(whole), std::uint64_t{high.quotient} << 32U | low.quotient};
+  if (a >= 0) return place;
+  // Rounded down once negated, and that is the complement, unless there is nothing to round.
+  if (low.remainder != 0 || place.fraction != 0)
+    return {~place.column, ~place.fraction + (low.remainder == 0)};
+  return {-place.column, 0};
+}
+/// origin + step * n / 256, for an origin in 1/256, and up to 2^-42 more, so that neither this nor what is
+/// stepped from it is too little: places that fall on a multiple of 2^-32 stay there when they are rounded
+/// down to one. Precondition: n, |step| * n <= 2^29.
+Place stepped(std::int32_t origin, const Place& step, std::uint32_t n) noexcept {
+  // All steps down an edge, which is up to 2^29 high, lack less than 2^29 in 2^-72.
+  constexpr std::uint64_t lacking = 1U << 30U;
+  const std::uint64_t low = std::uint64_t{static_cast<std::uint32_t>(step.fraction)} * n + lacking;
+  const std::uint64_t middle = (step.fraction >> 32U) * n + (low >> 32U);
+  const std::int64_t high = std::int64_t{step.column} * static_cast<std::int32_t>(n) +
+                            static_cast<std::int64_t>(middle >> 32U) + origin;
+  constexpr unsigned bits = linear::subpixel_bits;
+  return {static_cast<int>(high >> bits), static_cast<std::uint64_t>(high) << (64U - bits) |
+                                              (middle << 32U | static_cast<std::uint32_t>(low)) >> bits};
 }
 
 /// Where an edge runs, downwards: so both polygons that share it see the same crossings.
@@ -55,15 +74,14 @@ struct Downwards {
   [[nodiscard]] int last_row() const noexcept { return pixel_at(bottom.y - 1); }
 };
 
-// Taken from the row of an edge that has just begun.
-constexpr int begun = 1 << 24;
-
 }  // namespace
 
 CoverageScan::CoverageScan(FillRule rule, const linear::Rect& clip,
                            const std::span<const linear::SubPoint>& vertices,
                            const std::span<const int>& contour_lengths) noexcept
-    : vertices_(vertices), contour_lengths_(contour_lengths), area_(clip), rule_(rule) {}
+    : vertices_(vertices), contour_lengths_(contour_lengths), area_(clip), rule_(rule) {
+  head_.left = INT32_MIN;
+}
 
 /// Calls visit(index, index) with the ends of each edge that adds something to the area.
 template <class Visit>
@@ -120,12 +138,11 @@ Status CoverageScan::use(const std::span<CoverageCell>& cells) noexcept {
   };
   CoverageEdge& last = add(INT32_MAX, 0, 0);
   last.left = INT32_MAX;
-  active_ = waiting_ = end_ = &last;
+  head_.follower = waiting_ = end_ = &last;
   visit_edges([&](std::uint32_t from, std::uint32_t to) {
     add(std::max(Downwards(vertices_[from], vertices_[to]).first_row(), area_.y), from, to);
   });
   if (edge_count_ > 0) waiting_ = sorted(end_ + 1, end_ + 1 + edge_count_);
-  last.row = INT32_MIN;  // so it never crosses a row
   cells_ = &cells[next];
   for (int i = 0; i <= area_.width; ++i) cells_[i].change_ = 0;
   return {};
@@ -133,15 +150,22 @@ Status CoverageScan::use(const std::span<CoverageCell>& cells) noexcept {
 
 /// Merges two lists that are sorted by row.
 CoverageEdge* CoverageScan::merged(CoverageEdge* a, CoverageEdge* b) noexcept {
-  CoverageEdge* head = a;
+  CoverageEdge* head = nullptr;
   CoverageEdge** tail = &head;
-  while (a != b) {  // they meet at their end
-    CoverageEdge*& lesser = b->row < a->row ? b : a;
-    *tail = lesser;
-    tail = &lesser->follower;
-    lesser = *tail;
+  for (;;) {
+    if (b->row < a->row) {
+      *tail = b;
+      tail = &b->follower;
+      b = *tail;
+      if (b == end_) break;
+    } else {
+      *tail = a;
+      tail = &a->follower;
+      a = *tail;
+      if (a == end_) break;
+    }
   }
-  *tail = a;
+  *tail = a == end_ ? b : a;
   return head;
 }
 
@@ -158,10 +182,10 @@ CoverageEdge* CoverageScan::sorted(CoverageEdge* begin, CoverageEdge* end) noexc
 
 /// Puts an edge in its place in the list of those on the row.
 void CoverageScan::insert(CoverageEdge& edge) noexcept {
-  CoverageEdge** link = &active_;
-  while ((*link)->left < edge.left) link = &(*link)->follower;
-  edge.follower = *link;
-  *link = &edge;
+  CoverageEdge* before = &head_;
+  while (before->follower->left < edge.left) before = before->follower;
+  edge.follower = before->follower;
+  before->follower = &edge;
 }
 
 /// Adds the piece of an edge that lies on the row, from left to right and so high, to the cells.
@@ -177,7 +201,7 @@ void CoverageScan::insert(CoverageEdge& edge) noexcept {
     before = static_cast<int>(area);
   };
   edge.visit_columns<false>(piece, height, width, add);
-  if (piece.right() < width) add(std::max(piece.right() + 1, 0), height);
+  if (piece.right < width) add(std::max(piece.right + 1, 0), height);
 }
 
 /// Adds the edges that begin on this row to those on it.
@@ -190,57 +214,77 @@ void CoverageScan::start_edges() noexcept {
   } while (waiting_->row == y_);
 }
 
-/// Adds the pieces of the edge at the cursor, which has advanced, and of those after it that share columns
-/// with it or with each other, to the cells, and goes on to the next row with them. `first` and `last` end
-/// the piece of the first.
-CoverageScan::Group CoverageScan::add_group(Cursor cursor, std::int64_t first, std::int64_t last) noexcept {
-  CoverageEdge::Piece piece(first, last);
+/// Goes on to the next row with a pair after `before`. The cells of its columns hold what the first piece
+/// covers and the second doesn't.
+CoverageScan::Group CoverageScan::take_pair(CoverageEdge* before) noexcept {
+  CoverageCell* const cells = cells_;
+  CoverageEdge& a = *before->follower;
+  CoverageEdge& b = *a.follower;
+  CoverageEdge* const follower = b.follower;
+  const CoverageEdge::Piece first = a.piece();
+  const CoverageEdge::Piece second = b.piece();
+  a.visit_columns<true>(first, whole, 0, [cells](int x, std::uint32_t area) { cells[x].change_ = area; });
+  for (int x = first.right + 1; x <= second.right; ++x) cells[x].change_ = whole;
+  b.visit_columns<true>(second, whole, 0, [cells](int x, std::uint32_t area) { cells[x].change_ -= area; });
+  for (int x = second.right + 1; x <= first.right; ++x) cells[x].change_ -= whole;
+  place(a, &b, before);
+  place(b, follower, before);
+  return {before, first.left, std::max(first.right, second.right) + 1};
+}
+
+/// Up to which row, or an earlier one, an edge that has gone on to the next row touches visible columns only,
+/// before its last row.
+int CoverageScan::plain_until(const CoverageEdge& edge) const noexcept {
+  if (!visible(edge.left) || !visible(edge.right)) return INT32_MIN;
+  if (visible(edge.end_column())) return edge.row;
+  const bool leftwards = edge.step_columns < 0;
+  const int room = leftwards ? edge.left : area_.width - 1 - edge.right;
+  const int most = leftwards ? -edge.step_columns : edge.step_columns + 1;  // columns a row
+  return std::min(edge.row, y_ + 2 + room / most);
+}
+
+/// Adds the pieces of the edge after `before`, and of those after it that share columns with it or with each
+/// other, to the cells, and goes on to the next row with them.
+CoverageScan::Group CoverageScan::add_group(CoverageEdge* before) noexcept {
   const int y = y_;
   int begin = area_.width;
   int right = -1;  // all left of the window are one group
-  for (;;) {
-    CoverageEdge& edge = **cursor.link;
-    if (edge.row < y - begun / 2) {
-      // Its piece is there already.
-      begin = std::min(begin, edge.left);
-      right = std::max(right, edge.right);
-      edge.row += begun;
-      edge.left = edge.leftmost();
+  CoverageEdge* follower = before->follower;
+  do {
+    CoverageEdge& edge = *follower;
+    follower = edge.follower;
+    if (edge.row == y) {
+      const CoverageEdge::Piece piece = edge.last_piece();
+      begin = std::min(begin, piece.left);
+      right = std::max(right, piece.right);
+      add_piece(edge, piece, std::uint32_t{edge.last_height} << height_bits);
+      before->follower = follower;
     } else {
-      std::uint32_t height = whole;
-      if (edge.row == y) {
-        piece = {edge.x, with_fraction(edge.x_end)};
-        height = (edge.depth + 1U) << height_bits;
-      }
-      add_piece(edge, piece, height);
-      begin = std::min(begin, piece.left());
-      right = std::max(right, piece.right());
+      const CoverageEdge::Piece piece = edge.piece();
+      begin = std::min(begin, piece.left);
+      right = std::max(right, piece.right);
+      add_piece(edge, piece, std::uint32_t{edge.height} << height_bits);
+      edge.height = linear::subpixel_one;
+      place(edge, follower, before);
+      edge.plain = plain_until(edge);
     }
-    if (edge.row == y)
-      *cursor.link = edge.follower;
-    else
-      place(edge, cursor);
-    CoverageEdge& follower = **cursor.link;
-    if (follower.left > right) break;
-    piece = follower.advance(y);
-  }
-  return {cursor, std::max(begin, 0), std::clamp(right + 1, 0, area_.width)};
+  } while (follower->left <= right);
+  return {before, std::max(begin, 0), std::clamp(right + 1, 0, area_.width)};
 }
 
-/// Turns an edge that waited into one on the row, and adds what it does there.
+/// Turns an edge that waited into one on the row.
 void CoverageScan::start(CoverageEdge& edge) noexcept {
-  const Downwards way(vertices_[static_cast<std::uint32_t>(edge.error)],
+  const Downwards way(vertices_[static_cast<std::uint32_t>(edge.column)],
                       vertices_[static_cast<std::uint32_t>(edge.x_end)]);
   const int left = side(area_.x);
   const int dx = way.bottom.x - way.top.x;
+  const int origin = way.top.x - left;
   const auto height = static_cast<std::uint32_t>(way.bottom.y - way.top.y);
-  const int last_row = way.last_row();
-  edge.turn = static_cast<std::int8_t>(way.upwards ? -1 : 1);
-  edge.height = height;
-  edge.row = last_row - begun;
-  edge.x_end = way.bottom.x - left;
-  edge.depth = static_cast<std::uint8_t>(way.bottom.y - side(last_row) - 1);
+  const int row_end = side(y_ + 1);
+  const int begin = std::max(way.top.y, side(y_));
+  Place step{0, 0};
   if (dx != 0) {
+    step = quotient(dx, height);
     // The quotient of both, each with its highest bit in bit 31, to 32 bits.
     const auto width = static_cast<std::uint32_t>(dx < 0 ? -dx : dx);
     const int up = std::countl_zero(height);
@@ -254,27 +298,29 @@ void CoverageScan::start(CoverageEdge& edge) noexcept {
     edge.up = static_cast<std::uint8_t>(std::max(-shift, 0));
     edge.down = static_cast<std::uint8_t>(std::max(shift, 0) + 1);
   }
-  const auto crossing = [&](int y) { return scaled(static_cast<std::uint32_t>(y - way.top.y), dx, height); };
-  const std::int64_t origin = with_fraction(way.top.x - left);
-  const int row_end = side(y_ + 1);
-  const int begin = std::max(way.top.y, side(y_));
-  const std::int64_t x = begin == way.top.y ? origin : origin + crossing(begin).value;
-  std::int64_t next = with_fraction(edge.x_end);
-  if (last_row > y_) {
-    const Place there = crossing(row_end);
-    next = origin + there.value;
-    edge.error = static_cast<std::int32_t>(there.remainder) - static_cast<std::int32_t>(height);
-    // Only if it goes on from there a row is crossed from side to side, and the edge as high as that.
-    const Place step =
-        last_row > y_ + 1 ? scaled(linear::subpixel_one, dx, height) : Place{with_fraction(dx), 0};
-    edge.step = step.value;
-    edge.rest = step.remainder;
+  edge.turn = static_cast<std::int8_t>(way.upwards ? -1 : 1);
+  edge.row = way.last_row();
+  edge.x_end = way.bottom.x - left;
+  edge.step_columns = step.column;
+  edge.step_fraction = upper(step.fraction);
+  edge.step_fine = static_cast<std::uint32_t>(step.fraction);
+  const Place from = begin == way.top.y
+                         ? stepped(origin, {0, 0}, 0)
+                         : stepped(origin, step, static_cast<std::uint32_t>(begin - way.top.y));
+  edge.top_fraction = upper(from.fraction);
+  int last_column = pixel_at(edge.x_end - half);
+  if (edge.row == y_) {
+    edge.last_height = static_cast<std::uint16_t>(way.bottom.y - begin);
+  } else {
+    edge.height = static_cast<std::uint16_t>(row_end - begin);
+    edge.last_height = static_cast<std::uint16_t>(way.bottom.y - side(edge.row));
+    const Place to = stepped(origin, step, static_cast<std::uint32_t>(row_end - way.top.y));
+    edge.column = last_column = to.column;
+    edge.fraction = upper(to.fraction);
+    edge.fine = static_cast<std::uint32_t>(to.fraction);
   }
-  edge.x = next;
-  const CoverageEdge::Piece piece(x, next);
-  add_piece(edge, piece, static_cast<std::uint32_t>(std::min(way.bottom.y, row_end) - begin) << height_bits);
-  edge.left = piece.left();
-  edge.right = piece.right();
+  edge.left = std::min(from.column, last_column);
+  edge.right = std::max(from.column, last_column);
 }
 
 }  // namespace detail

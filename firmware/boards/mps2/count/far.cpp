@@ -31,6 +31,12 @@ constexpr auto far_wheel = gear<20>({160 * 256, 120 * 256}, reach * 256, reach *
 constexpr auto grazing_wheel = gear<20>({(160 - reach) * 256, 120 * 256}, reach * 256, reach * 255);
 
 raster::PolygonEdge edges[32];
+raster::CoverageCell cells[raster::coverage_cells(20, 320)];
+
+void cover(const Pen& pen, std::span<const SubPoint> polygon) {
+  const auto sink = raster::RampCoverage<Format>::over(pen.surface(), 0, opaque(256));
+  use(sink.ok() ? raster::fill_coverage(sink.value(), FillRule::even_odd, polygon, cells) : sink.status());
+}
 
 constexpr Pair all[] = {
     {"line",
@@ -113,6 +119,10 @@ constexpr Pair all[] = {
     {"polygon's rim",
      [](const Pen& pen) { use(raster::fill_polygon(pen, FillRule::even_odd, filling_wheel, edges)); },
      [](const Pen& pen) { use(raster::fill_polygon(pen, FillRule::even_odd, grazing_wheel, edges)); }},
+    {"coverage", [](const Pen& pen) { cover(pen, filling_wheel); },
+     [](const Pen& pen) { cover(pen, far_wheel); }},
+    {"coverage's rim", [](const Pen& pen) { cover(pen, filling_wheel); },
+     [](const Pen& pen) { cover(pen, grazing_wheel); }},
 };
 
 }  // namespace

@@ -2,8 +2,10 @@
 //
 // How bytes reach a display controller: as commands or as data.
 //
-// Rule: controllers of the SSD13xx family take the same bytes over SPI, where a line says which they are, and
-// over I2C, where a control byte in front of them does. A driver of such a controller knows only this port.
+// Rule: a controller takes the same bytes over SPI, where a line says which they are, and over I2C, where a
+// control byte in front of them does. A driver knows only this port. Parameters of a command travel as
+// commands on a SSD1306 or SSD0323, and as data on a SSD1322 and on everything that speaks MIPI DCS (ST7789,
+// ILI9341), so a driver says which.
 #pragma once
 
 #include <hal/bus.hpp>
@@ -19,8 +21,12 @@ class CommandPort {
   CommandPort(const CommandPort&) = delete;
   CommandPort& operator=(const CommandPort&) = delete;
 
-  /// Sends whole commands with their parameters. Errors: bus, pin.
+  /// Sends whole commands with their parameters, all of them as commands. Errors: bus, pin.
   Status command(std::span<const std::uint8_t> bytes) noexcept { return do_command(bytes); }
+  /// Sends one command whose parameters travel as data. Errors: bus, pin.
+  Status command(std::uint8_t code, std::span<const std::uint8_t> parameters) noexcept;
+  /// Sends commands whose parameters travel as data: code, number of parameters, parameters; code …
+  Status sequence(std::span<const std::uint8_t> commands) noexcept;
   /// Sends what goes to the display memory. Errors: bus, pin.
   Status data(std::span<const std::uint8_t> bytes) noexcept { return do_data(bytes); }
 
@@ -33,7 +39,8 @@ class CommandPort {
   virtual Status do_data(std::span<const std::uint8_t> bytes) noexcept = 0;
 };
 
-/// SPI with a data/command line: low for commands, high for data.
+/// SPI with a data/command line: low for commands, high for data. The line belongs to the port: it is driven
+/// only when it has to change.
 class SpiPort final : public CommandPort {
  public:
   SpiPort(SpiBus& bus, OutputPin& data_command) noexcept : bus_(&bus), data_command_(&data_command) {}
@@ -42,8 +49,12 @@ class SpiPort final : public CommandPort {
   Status do_command(std::span<const std::uint8_t> bytes) noexcept override;
   Status do_data(std::span<const std::uint8_t> bytes) noexcept override;
 
+  enum class Line : std::uint8_t { unknown, command, data };
+  Status send(Line line, std::span<const std::uint8_t> bytes) noexcept;
+
   SpiBus* bus_;
   OutputPin* data_command_;
+  Line line_ = Line::unknown;
 };
 
 /// How commands travel over I2C.

@@ -3,27 +3,33 @@
 
 namespace hal::panels {
 
-std::uint32_t FrameTicks::count() noexcept {
-  if (clock_ == nullptr) return free_ticks_;
+Nanoseconds FrameTicks::elapsed() noexcept {
   const Nanoseconds now = clock_->now();
   if (!started_) {
     started_ = true;
     start_ = now;
   }
-  return static_cast<std::uint32_t>((now - start_) / period_);
+  return now - start_;
 }
 
-void FrameTicks::wait() noexcept {
+std::uint32_t FrameTicks::do_count() noexcept {
+  return clock_ == nullptr ? free_ticks_ : static_cast<std::uint32_t>(elapsed() / period_);
+}
+
+Status FrameTicks::do_wait() noexcept {
   if (clock_ == nullptr) {
     ++free_ticks_;
-    return;
+    return {};
   }
-  const Nanoseconds now = clock_->now();
-  if (!started_) {
-    started_ = true;
-    start_ = now;
-  }
-  clock_->wait_until(now + period_ - (now - start_) % period_);
+  const Nanoseconds time = elapsed();
+  clock_->wait_until(start_ + time + period_ - time % period_);
+  return {};
+}
+
+Nanoseconds FrameTicks::do_last() noexcept {
+  if (clock_ == nullptr) return 0;
+  const Nanoseconds time = elapsed();
+  return time < period_ ? 0 : start_ + time - time % period_;
 }
 
 }  // namespace hal::panels

@@ -6,24 +6,25 @@
 // Without a clock every wait is a tick, so frames follow each other as fast as the bus takes them.
 #pragma once
 
-#include <hal/clock.hpp>
+#include <hal/vblank.hpp>
 
 #include <cstdint>
 
 namespace hal::panels {
 
-class FrameTicks {
+class FrameTicks final : public VblankSource {
  public:
   /// `clock` may be null; `millihertz` is at least 1.
   FrameTicks(Clock* clock, std::uint32_t millihertz) noexcept
       : clock_(clock), period_(1'000'000'000'000U / millihertz) {}
 
-  /// Ticks so far; wraps.
-  [[nodiscard]] std::uint32_t count() noexcept;
-  /// Returns at the next tick.
-  void wait() noexcept;
-
  private:
+  std::uint32_t do_count() noexcept override;
+  Status do_wait() noexcept override;
+  Nanoseconds do_last() noexcept override;
+  /// Since the first question.
+  Nanoseconds elapsed() noexcept;
+
   Clock* clock_;
   Nanoseconds period_;
   Nanoseconds start_ = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What all panels with memory of their own and fixed colours have in common.
+// What all panels with memory of their own have in common.
 #pragma once
 
 #include <hal/panel.hpp>
@@ -8,13 +8,21 @@
 
 namespace hal::panels {
 
-/// A write panel: a driver adds `do_write` and a start.
+/// A write panel: a driver adds `do_write`, a start, and `do_load_palette` if it has one.
 class WritePanel : public Panel {
  protected:
-  /// `frame_clock` gives the rhythm of frames at `capabilities.refresh_millihertz`; null: no rhythm.
-  WritePanel(const Capabilities& capabilities, Clock* frame_clock) noexcept
-      : capabilities_(capabilities), ticks_(frame_clock, capabilities.refresh_millihertz) {}
+  /// `vblank` gives the rhythm of frames, as a tearing-effect line does; null: `frame_clock` does at
+  /// `capabilities.refresh_millihertz` (at least 1); both null: no rhythm. Both outlive the panel.
+  /// `capabilities.vblank_signal` is set to what is true.
+  WritePanel(const Capabilities& capabilities, Clock* frame_clock, VblankSource* vblank = nullptr) noexcept
+      : capabilities_(capabilities), ticks_(frame_clock, capabilities.refresh_millihertz), vblank_(vblank) {
+    capabilities_.vblank_signal = vblank != nullptr;
+  }
   ~WritePanel() = default;
+
+  Status do_load_palette(std::span<const std::uint8_t>) noexcept override {
+    return {Error::unsupported, Part::palette};
+  }
 
  private:
   const Capabilities& do_capabilities() const noexcept final { return capabilities_; }
@@ -24,17 +32,13 @@ class WritePanel : public Panel {
     return {Error::unsupported, Part::buffer};
   }
   bool do_show_pending() noexcept final { return false; }
-  Status do_load_palette(std::span<const std::uint8_t>) noexcept final {
-    return {Error::unsupported, Part::palette};
-  }
-  std::uint32_t do_vblank_count() noexcept final { return ticks_.count(); }
-  Status do_wait_for_vblank() noexcept final {
-    ticks_.wait();
-    return {};
-  }
+  std::uint32_t do_vblank_count() noexcept final { return rhythm().count(); }
+  Status do_wait_for_vblank() noexcept final { return rhythm().wait(); }
+  VblankSource& rhythm() noexcept { return vblank_ != nullptr ? *vblank_ : ticks_; }
 
   Capabilities capabilities_;
   FrameTicks ticks_;
+  VblankSource* vblank_;
 };
 
 }  // namespace hal::panels

@@ -11,6 +11,10 @@ int main(int argc, char** argv) {
     const host::Options& options = std::get<host::Options>(parsed);
     if (options.list)
       host::list_all(std::cout);
+    else if (options.list_panels)
+      host::list_panels(std::cout);
+    else if (host::means_attached(options.attach))
+      host::run_on_real_panel(options);
     else
       host::simulate(options);
     return 0;

@@ -8,12 +8,13 @@ namespace host {
 std::variant<Options, int> parse_command_line(int argc, const char* const* argv) {
   Options options;
   CLI::App app{
-      "Runs a program of Intaglio on a simulated panel.\n"
+      "Runs a program of Intaglio on a simulated panel, or on a real one.\n"
       "Where there is a display it opens a window, else on a terminal it shows a preview until a key is\n"
       "pressed, else it records 120 frames. It leaves an animated PNG and says where.",
       "intaglio-sim"};
   app.add_option("program", options.program, "Program to run; --list names them");
-  app.add_option("--panel", options.panel, "Panel: a name (--list) or WIDTHxHEIGHTxBITS, as 320x240x8")
+  app.add_option("--panel", options.panel,
+                 "Panel: a name (--list), WIDTHxHEIGHTxBITS as 320x240x8, or a real one (--list-panels)")
       ->capture_default_str();
   app.add_option("--frames", options.frames, "Frames to run (default: until you end it, or 120 unattended)")
       ->check(CLI::Range(std::uint32_t{1}, std::uint32_t{1'000'000'000}));
@@ -29,12 +30,23 @@ std::variant<Options, int> parse_command_line(int argc, const char* const* argv)
   app.add_option("--scale", options.scale, "Window pixels a pixel (default: as suits the screen)")
       ->check(CLI::Range(1, 32));
   app.add_flag("--list", options.list, "Name the programs, panels and effects");
+  app.add_flag("--list-panels", options.list_panels, "Name the real panels and buses of this machine");
+  app.add_option("--report", options.report,
+                 "Write what was counted on a real panel to this file, a line `KEY VALUE` each");
+  add_attach_options(app, options.attach);
   try {
     app.parse(argc, argv);
-    if (options.program.empty() && !options.list)
+    options.attach.panel = options.panel;
+    if (options.program.empty() && !options.list && !options.list_panels)
       throw CLI::RequiredError("program (intaglio-sim --list names them)");
     if (options.terminal && options.digest)
       throw CLI::ValidationError("--terminal and --digest both need standard output");
+    if (means_attached(options.attach)) {
+      if (options.window || options.terminal || options.png || options.animation)
+        throw CLI::ValidationError("--window, --terminal, --png and --apng are for simulated panels");
+    } else if (options.report) {
+      throw CLI::ValidationError("--report is for real panels");
+    }
   } catch (const CLI::ParseError& error) {
     return app.exit(error);
   }

@@ -3,6 +3,8 @@
 // The command line of intaglio-sim.
 #pragma once
 
+#include <host/attach/attach.hpp>
+
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -12,7 +14,8 @@ namespace host {
 
 struct Options {
   std::string program;
-  std::string panel = "clcd";            ///< A name of the catalogue or WxHxBPP.
+  std::string panel = "clcd";            ///< A name of the catalogue or WxHxBPP, or a real panel's.
+  AttachOptions attach;                  ///< The real panel, with the name from `panel`.
   std::optional<std::uint32_t> frames;   ///< None: until the user ends it, or 120 where nobody looks.
   int frames_per_second = 60;            ///< 1..1000
   std::optional<std::string> png;        ///< Where the last frame goes.
@@ -20,8 +23,10 @@ struct Options {
   bool digest = false;
   bool window = false;
   bool terminal = false;
-  int scale = 0;  ///< Of the window, 1..32; 0: as suits the screen.
+  int scale = 0;                      ///< Of the window, 1..32; 0: as suits the screen.
+  std::optional<std::string> report;  ///< Where the counters of a run on a real panel go.
   bool list = false;
+  bool list_panels = false;
 };
 
 /// The options, or the exit code of a program that has said what was wrong (or given the help it was asked

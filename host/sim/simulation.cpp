@@ -3,6 +3,7 @@
 // The simulated time of the panel runs as fast as it can; where someone looks on, frames are held back to the
 // rate that was asked for. Digests and files don't depend on that.
 #include <hal/sim/tearing.hpp>
+#include <host/attach/interruption.hpp>
 #include <host/failure.hpp>
 #include <host/sim/apng.hpp>
 #include <host/sim/program.hpp>
@@ -14,7 +15,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <csignal>
 #include <cstdio>
 #include <limits>
 #include <memory>
@@ -31,36 +31,14 @@ constexpr std::uint32_t unattended_frames = 120;
 /// A run that only the user ends records no more than this.
 constexpr std::uint32_t longest_recording = 600;
 
-volatile std::sig_atomic_t interrupted = 0;
-
-/// Ends the run after the frame in work, so that files are finished and the terminal is as it was; a second
-/// time it ends at once.
-extern "C" void interrupt(int signal) {
-  interrupted = 1;
-  std::signal(signal, SIG_DFL);
-}
-
-const Program& program_of(const Options& options) {
-  const Program* const program = find_program(options.program);
-  if (program == nullptr)
-    throw Failure(fmt::format("no program is named '{}'; intaglio-sim --list names them", options.program));
-  return *program;
-}
-
 hal::sim::PanelSpec panel_of(const Options& options) {
   const auto spec = hal::sim::find_panel(options.panel);
   if (!spec)
     throw Failure(
         fmt::format("no panel '{}': give a name of --list, or WIDTHxHEIGHTxBITS with sides of "
-                    "1 to 16384 and 1, 2, 4 or 8 bits",
+                    "1 to 16384 and 1, 2, 4 or 8 bits; real panels need wires (--spi, --i2c, --bitbang)",
                     options.panel));
   return *spec;
-}
-
-/// VBLANKs a frame at the frame rate asked for, at least one.
-int interval_of(const Options& options, const hal::Capabilities& panel) {
-  const auto asked = static_cast<std::uint32_t>(options.frames_per_second) * 1000U;
-  return static_cast<int>(std::max(1U, (panel.refresh_millihertz + asked / 2U) / asked));
 }
 
 std::unique_ptr<Viewer> viewer_of(const Options& options, const hal::Capabilities& panel) {
@@ -98,7 +76,7 @@ class Simulation {
   }
 
   void run() {
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, interrupt);
+    watch_for_interruption(SecondSignal::ends_at_once);
     start_ = std::chrono::steady_clock::now();
     const intaglio::Status status =
         program_.run(panel_, interval_of(options_, panel_.capabilities()), frames_,
@@ -122,7 +100,7 @@ class Simulation {
       if (recording) animation_->add(picture_);
     }
     if (show_progress_) fmt::print(stderr, "\rrecording frame {} of {}", frame + 1, frames_);
-    if (interrupted != 0) return false;
+    if (interrupted()) return false;
     if (!viewer_) return true;
     const bool go_on = viewer_->show(picture_);
     std::this_thread::sleep_until(
@@ -182,6 +160,18 @@ class Simulation {
 };
 
 }  // namespace
+
+const Program& program_of(const Options& options) {
+  const Program* const program = find_program(options.program);
+  if (program == nullptr)
+    throw Failure(fmt::format("no program is named '{}'; intaglio-sim --list names them", options.program));
+  return *program;
+}
+
+int interval_of(const Options& options, const hal::Capabilities& panel) {
+  const auto asked = static_cast<std::uint32_t>(options.frames_per_second) * 1000U;
+  return static_cast<int>(std::max(1U, (panel.refresh_millihertz + asked / 2U) / asked));
+}
 
 void list_all(std::ostream& out) {
   out << "Programs:\n";

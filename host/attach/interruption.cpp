@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#include <host/attach/interruption.hpp>
+
+#include <csignal>
+#include <initializer_list>
+
+namespace host {
+
+namespace {
+
+volatile std::sig_atomic_t came = 0;
+
+extern "C" void note_and_reset(int signal) {
+  came = 1;
+  std::signal(signal, SIG_DFL);
+}
+extern "C" void note(int) { came = 1; }
+
+}  // namespace
+
+void watch_for_interruption(SecondSignal second) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+    std::signal(signal, second == SecondSignal::waits ? note : note_and_reset);
+}
+
+bool interrupted() { return came != 0; }
+
+}  // namespace host

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+//
+// A run on a real panel: its VBLANKs are the rhythm, and nothing else holds frames back.
+#include <host/attach/interruption.hpp>
+#include <host/attach/metered_panel.hpp>
+#include <host/failure.hpp>
+#include <host/sim/simulation.hpp>
+#include <intaglio/status_text.hpp>
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <fstream>
+#include <limits>
+#include <ostream>
+
+namespace host {
+
+void list_panels(std::ostream& out) {
+  const std::vector<std::string> all = list_attached();
+  for (const std::string& line : all) out << line << '\n';
+  if (all.empty()) out << "No real panel, bus or GPIO chip was found that this user may see.\n";
+}
+
+void run_on_real_panel(const Options& options) {
+  const Program& program = program_of(options);
+  // From here on a signal may not end the program: it would leave the panel as it happens to be.
+  watch_for_interruption(SecondSignal::waits);
+  const std::unique_ptr<AttachedPanel> attached = attach(options.attach);
+  const int interval = interval_of(options, attached->panel().capabilities());
+  MeteredPanel panel(attached->panel(), interval);
+  if (!options.digest) fmt::print("{} on {}\n", options.program, attached->description());
+  const auto tell = [&] { fmt::print(stderr, "{}", attached->notices()); };
+  tell();
+  const auto on_frame = [&](std::uint32_t frame, std::uint32_t digest) {
+    panel.frame_shown();
+    if (options.digest) fmt::print("frame {} crc32 {:08x}\n", frame, digest);
+    tell();
+    return !interrupted();
+  };
+  const std::uint32_t frames = options.frames.value_or(std::numeric_limits<std::uint32_t>::max());
+  const intaglio::Status status = program.run(panel, interval, frames, on_frame);
+  tell();
+  const std::string counters = panel.counters() + attached->counters();
+  if (options.report && !(std::ofstream(*options.report) << counters).flush())
+    throw Failure("cannot write " + *options.report);
+  if (status.ok()) {
+    if (!options.digest) fmt::print("{}", counters);
+    return;
+  }
+  const std::string fault = attached->fault();
+  throw Failure(fault.empty()
+                    ? fmt::format("{} failed: {} {}", options.program, intaglio::to_text(status.argument()),
+                                  intaglio::to_text(status.error()))
+                    : fault);
+}
+
+}  // namespace host

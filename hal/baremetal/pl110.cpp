@@ -3,6 +3,8 @@
 #include <hal/baremetal/pl110.hpp>
 #include <hal/baremetal/registers.hpp>
 
+#include <algorithm>
+
 namespace hal::baremetal {
 
 namespace {
@@ -94,11 +96,13 @@ std::uint32_t Pl110::buffer_address(int index) noexcept {
 
 Status Pl110::do_show(int index, std::span<const std::uint8_t> palette) noexcept {
   if (!on_) return {Error::unsupported, Part::panel};
+  const bool replaces = do_show_pending();
   staged_.store(false, std::memory_order_relaxed);
   std::atomic_signal_fence(std::memory_order_seq_cst);
   staged_buffer_ = index;
-  staged_colours_ = palette.size() / 3;
-  for (std::size_t i = 0; i < staged_colours_; ++i) staged_palette_[i] = pack_555(&palette[3 * i]);
+  const std::size_t colours = palette.size() / 3;
+  staged_colours_ = replaces ? std::max(staged_colours_, colours) : colours;
+  for (std::size_t i = 0; i < colours; ++i) staged_palette_[i] = pack_555(&palette[3 * i]);
   std::atomic_signal_fence(std::memory_order_seq_cst);
   staged_.store(true, std::memory_order_relaxed);
   return {};

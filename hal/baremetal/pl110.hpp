@@ -66,6 +66,7 @@ class Pl110 final : public Panel {
   }
   Status do_show(int index, std::span<const std::uint8_t> palette) noexcept override;
   [[nodiscard]] bool do_show_pending() noexcept override;
+  [[nodiscard]] int do_on_display() noexcept override { return displayed_; }
   Status do_write(const Rect& area, std::span<const std::uint8_t> pixels, int stride) noexcept override;
   Status do_load_palette(std::span<const std::uint8_t> palette) noexcept override;
   [[nodiscard]] std::uint32_t do_vblank_count() noexcept override;

@@ -217,9 +217,12 @@ Status StrictPanel::do_show(int index, std::span<const std::uint8_t> palette) no
   if (pending_ && !rules_.skipping_frames)
     ADD_FAILURE() << "the frame in buffer " << *pending_
                   << " was never displayed: another was presented before its VBLANK";
-  if (pending_) buffers_[static_cast<std::size_t>(*pending_)].presented.reset();
+  if (pending_) {
+    buffers_[static_cast<std::size_t>(*pending_)].presented.reset();
+  } else {
+    pending_palette_ = palette_;
+  }
   pending_ = index;
-  pending_palette_ = palette_;
   std::copy(palette.begin(), palette.end(), pending_palette_.begin());
   const auto rows = rows_of(index);
   buffers_[static_cast<std::size_t>(index)].presented.emplace(rows.begin(), rows.end());

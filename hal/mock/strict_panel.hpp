@@ -143,6 +143,7 @@ class StrictPanel final : public Panel {
   int do_buffer_stride() const noexcept override { return stride_; }
   Status do_show(int index, std::span<const std::uint8_t> palette) noexcept override;
   bool do_show_pending() noexcept override { return pending_.has_value(); }
+  int do_on_display() noexcept override { return displayed_; }
   Status do_write(const Rect& area, std::span<const std::uint8_t> pixels, int stride) noexcept override;
   Status do_load_palette(std::span<const std::uint8_t> palette) noexcept override;
   std::uint32_t do_vblank_count() noexcept override { return vblanks_; }

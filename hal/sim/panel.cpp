@@ -67,7 +67,7 @@ std::span<std::uint8_t> Panel::do_buffer(int index) noexcept {
 }
 
 Status Panel::do_show(int index, std::span<const std::uint8_t> palette) noexcept {
-  Request request{index, ++presented_, palette_};
+  Request request{index, ++presented_, pending_ ? pending_->palette : palette_};
   std::copy(palette.begin(), palette.end(), request.palette.begin());
   tell_presented(index, request.frame, request.palette);
   pending_ = std::move(request);

@@ -5,6 +5,8 @@
 // Rule: after a successful `present` the panel's own memory equals the buffer wherever the program drew and
 // said so. What couldn't be sent (a bus fault) is owed and goes out with the next frame, so nothing is lost;
 // the first frame is always sent whole, for what a panel holds at power-on is unknown.
+// Where the panel applies colours as pixels are written, new colours mean that all is sent again; whoever
+// brings colours is taken to bring new ones.
 // The buffer keeps its picture from frame to frame, so a program need only draw what changes.
 #pragma once
 
@@ -20,12 +22,13 @@ namespace intaglio::present {
 class WriteControl {
  public:
   /// `pixels_per_byte`: rectangles also begin at whole bytes of the buffer.
-  WriteControl(hal::Panel& panel, int interval, int pixels_per_byte) noexcept;
+  WriteControl(hal::Panel& panel, const Pace& pace, int pixels_per_byte) noexcept;
 
   /// Adds changed rectangles to what is owed. Errors: rectangle (out of domain); then none is added.
   [[nodiscard]] Status owe(std::span<const linear::Rect> dirty) noexcept;
   void owe_all() noexcept { owed_.add_all(); }
-  /// Waits until the frame is due, loads the palette and sends what is owed from `buffer`. Errors: device.
+  /// Waits until the frame is due, loads the palette and sends what is owed from `buffer`; or drops the
+  /// frame, and goes on owing. Errors: device.
   [[nodiscard]] Status send(std::span<const std::uint8_t> buffer, int stride, int bits_per_pixel,
                             std::span<const std::uint8_t> palette) noexcept;
 
@@ -33,6 +36,11 @@ class WriteControl {
   [[nodiscard]] const Pacer& pacer() const noexcept { return pacer_; }
 
  private:
+  /// Loads colours, if there are any, and owes what they change.
+  [[nodiscard]] hal::Status load(std::span<const std::uint8_t> palette) noexcept;
+  [[nodiscard]] hal::Status send_now(std::span<const std::uint8_t> buffer, int stride, int bits_per_pixel,
+                                     std::span<const std::uint8_t> palette) noexcept;
+
   hal::Panel* panel_;
   Pacer pacer_;
   DirtyList owed_;
@@ -49,19 +57,19 @@ class FrameWriter : public FrameLender {
     return F::row_bytes(size.width) * size.height;
   }
 
-  /// Draws in `memory` (whole rows, close together), a frame every `interval` VBLANKs or ticks of the panel's
+  /// Draws in `memory` (whole rows, close together) frames at this pace, in VBLANKs or ticks of the panel's
   /// frame clock. Whether that can be done says `status`.
-  FrameWriter(hal::Panel& panel, std::span<std::uint8_t> memory, int interval = 1) noexcept
-      : control_(panel, interval, F::pixels_per_byte), memory_(memory) {
+  FrameWriter(hal::Panel& panel, std::span<std::uint8_t> memory, const Pace& pace = {}) noexcept
+      : control_(panel, pace, F::pixels_per_byte), memory_(memory) {
     const hal::Capabilities& c = panel.capabilities();
     const Result<image::Surface<F>> surface = image::Surface<F>::over(memory, {c.width, c.height});
     surface_ = surface.value();
     status_ = c.buffers != 0 ? Status{Error::unsupported, Argument::panel} : check_format<F>(c);
-    if (status_.ok()) status_ = Pacer::check(interval);
+    if (status_.ok()) status_ = Pacer::check(pace);
     if (status_.ok()) status_ = surface.status();
   }
 
-  /// Errors: panel (mismatched: other pixel format; unsupported: a scan-out panel), count (interval below 1),
+  /// Errors: panel (mismatched: other pixel format; unsupported: a scan-out panel), count (`Pacer::check`),
   /// buffer (too small: `needed()` bytes).
   [[nodiscard]] Status status() const noexcept { return status_; }
   [[nodiscard]] ScreenInfo info() const noexcept { return screen_info(control_.panel().capabilities()); }
@@ -75,8 +83,10 @@ class FrameWriter : public FrameLender {
   }
 
   /// Sends the whole frame when it is due, with these colours (3 bytes an entry; empty: the colours stay),
-  /// and returns when it is out. After an error of an argument the frame is still the caller's. Errors: frame
-  /// (empty; mismatched: another screen's), palette (`check_palette`), device.
+  /// and returns when it is out. A frame that comes too late may be dropped instead: then the next sends its
+  /// changes, too. (One that brings colours to a panel which shows new colours at once isn't.) After an error
+  /// of an argument the frame is still the caller's. Errors: frame (empty; mismatched: another screen's),
+  /// palette (`check_palette`), device.
   [[nodiscard]] Status present(Frame<F>&& frame, std::span<const std::uint8_t> palette = {}) noexcept {
     if (const Status s = check(frame, palette); !s.ok()) return s;
     control_.owe_all();
@@ -96,6 +106,8 @@ class FrameWriter : public FrameLender {
 
   /// Frames that were sent later than `interval` VBLANKs after the one before.
   [[nodiscard]] std::uint32_t missed_deadlines() const noexcept { return control_.pacer().missed(); }
+  /// What became of the frames so far.
+  [[nodiscard]] const FrameCounts& counts() const noexcept { return control_.pacer().counts(); }
 
  private:
   Status check(const Frame<F>& frame, std::span<const std::uint8_t> palette) const noexcept {

@@ -31,4 +31,11 @@ template <image::PixelFormat F>
 [[nodiscard]] Status check_palette(const hal::Capabilities& panel,
                                    std::span<const std::uint8_t> palette) noexcept;
 
+/// True if a write panel's frame with these colours may be dropped: what it brings can wait for the next
+/// frame without changing what is shown, or being lost.
+[[nodiscard]] inline bool can_wait(const hal::Capabilities& panel,
+                                   std::span<const std::uint8_t> palette) noexcept {
+  return palette.empty() || panel.palette_on_write;
+}
+
 }  // namespace intaglio::present

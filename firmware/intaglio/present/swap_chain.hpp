@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// Frames on a scan-out panel: single or double buffering (or more), swapped at VBLANK.
+// Frames on a scan-out panel: single, double or triple buffering (or more), swapped at VBLANK.
 //
 // Rule: what is on display is never drawn on, and buffer and palette change together at a VBLANK or not at
 // all. With two buffers `begin` waits until the last swap has happened, for only then is there a buffer to
-// draw on; with more it never waits, and `present` waits for the swap before, so no frame is skipped.
+// draw on. With three it doesn't: `present` waits for the swap before, so no frame is skipped
+// (`Order::every`), or nothing waits and a VBLANK shows the frame finished last (`Order::latest`).
 // With one buffer there is nothing to swap: `begin` waits for the VBLANK, drawing then runs ahead of the
 // beam, and what isn't drawn before the beam comes tears; the palette still changes at the VBLANK after.
 #pragma once
@@ -13,53 +14,22 @@
 #include <intaglio/present/pacer.hpp>
 #include <intaglio/present/panel_port.hpp>
 #include <intaglio/present/screen_info.hpp>
+#include <intaglio/present/swap_control.hpp>
 
 namespace intaglio::present {
 
-/// The part of a swap chain that doesn't depend on the pixel format.
-class SwapControl {
- public:
-  SwapControl(hal::Panel& panel, int interval) noexcept : panel_(&panel), pacer_(interval) {}
-
-  /// Chooses the buffer to draw on. Errors: busy (only if `wait` is false), device.
-  [[nodiscard]] Result<int> acquire(bool wait) noexcept;
-  /// Asks for the acquired buffer to be shown. Errors: palette, device.
-  [[nodiscard]] Status release(std::span<const std::uint8_t> palette) noexcept;
-  /// Returns when nothing is pending. Errors: device.
-  [[nodiscard]] Status settle() noexcept;
-
-  [[nodiscard]] hal::Panel& panel() const noexcept { return *panel_; }
-  [[nodiscard]] const Pacer& pacer() const noexcept { return pacer_; }
-
- private:
-  /// The VBLANK at which the request just made takes effect.
-  [[nodiscard]] std::uint32_t vblank_of_request() noexcept;
-
-  /// True if the last wait for a frame to be shown ended with the latest VBLANK.
-  [[nodiscard]] bool at_vblank_of_settling() noexcept {
-    return settled_here_ && panel_->vblank_count() == settled_at_;
-  }
-
-  hal::Panel* panel_;
-  Pacer pacer_;
-  std::uint32_t settled_at_ = 0;
-  bool settled_here_ = false;
-  int shown_ = 0;  // The buffer last asked for; a panel starts with buffer 0 on display.
-  int acquired_ = 0;
-};
-
 /// Frames of format `F` on a scan-out panel. Lives as long as any of its frames.
-template <image::PixelFormat F>
+template <image::PixelFormat F, class Control = SwapControl>
 class SwapChain : public FrameLender {
  public:
   using Format = F;
 
-  /// A frame every `interval` VBLANKs. Whether that can be done says `status`.
-  explicit SwapChain(hal::Panel& panel, int interval = 1) noexcept
-      : control_(panel, interval), status_(check(panel, interval)) {}
+  /// Frames at this pace. Whether that can be done says `status`.
+  explicit SwapChain(hal::Panel& panel, const Pace& pace = {}) noexcept
+      : control_(panel, pace), status_(check(panel, pace)) {}
 
-  /// Errors: panel (mismatched: other pixel format; unsupported: a write panel), count (interval below 1),
-  /// and those of `Surface::over` if the panel's buffers are wrong.
+  /// Errors: panel (mismatched: other pixel format; unsupported: a write panel), count (`Pacer::check`), and
+  /// those of `Surface::over` if the panel's buffers are wrong.
   [[nodiscard]] Status status() const noexcept { return status_; }
   [[nodiscard]] ScreenInfo info() const noexcept { return screen_info(control_.panel().capabilities()); }
 
@@ -70,7 +40,8 @@ class SwapChain : public FrameLender {
   [[nodiscard]] Result<Frame<F>> try_begin() noexcept { return begin(false); }
 
   /// Shows the frame with these colours (3 bytes an entry; empty: the colours stay) from the next VBLANK on
-  /// that the interval allows; returns before it. After an error of an argument the frame is still the
+  /// that the pace allows; returns before it. A frame that comes too late may be dropped instead, but its
+  /// colours aren't: they are shown with the next. After an error of an argument the frame is still the
   /// caller's, after a device error it is gone.
   /// Errors: frame (empty; mismatched: another screen's), palette (`check_palette`), device.
   [[nodiscard]] Status present(Frame<F>&& frame, std::span<const std::uint8_t> palette = {}) noexcept {
@@ -83,14 +54,17 @@ class SwapChain : public FrameLender {
   /// Returns when the frame last presented is on display. Errors: device.
   [[nodiscard]] Status wait_until_shown() noexcept { return control_.settle(); }
 
-  /// Frames that appeared later than `interval` VBLANKs after the one before.
+  /// Frames that came later than `interval` VBLANKs after the one before.
   [[nodiscard]] std::uint32_t missed_deadlines() const noexcept { return control_.pacer().missed(); }
+  /// What became of the frames so far; with `Order::latest` the last may yet be replaced.
+  [[nodiscard]] const FrameCounts& counts() const noexcept { return control_.pacer().counts(); }
+  [[nodiscard]] const Control& control() const noexcept { return control_; }
 
  private:
-  static Status check(hal::Panel& panel, int interval) noexcept {
+  static Status check(hal::Panel& panel, const Pace& pace) noexcept {
     if (panel.capabilities().buffers < 1) return {Error::unsupported, Argument::panel};
     if (const Status s = check_format<F>(panel.capabilities()); !s.ok()) return s;
-    if (const Status s = Pacer::check(interval); !s.ok()) return s;
+    if (const Status s = Pacer::check(pace); !s.ok()) return s;
     return surface_of(panel, 0).status();
   }
   static Result<image::Surface<F>> surface_of(hal::Panel& panel, int buffer) noexcept {
@@ -108,7 +82,7 @@ class SwapChain : public FrameLender {
     return lend<F>(surface.value());
   }
 
-  SwapControl control_;
+  Control control_;
   Status status_;
 };
 

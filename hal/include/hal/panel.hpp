@@ -74,11 +74,17 @@ class Panel {
   [[nodiscard]] int buffer_stride() const noexcept { return do_buffer_stride(); }
 
   /// Asks that from the next VBLANK on buffer `index` be displayed with these colours (3 bytes an entry from
-  /// entry 0 on; empty: the colours stay). Replaces a request that hasn't taken effect yet.
+  /// entry 0 on; empty: the colours stay). Replaces a request that hasn't taken effect yet, but entries that
+  /// the later one doesn't bring are those of the one replaced.
   /// Errors: buffer, palette (longer than the table or not whole entries), unsupported on a write panel.
   Status show(int index, std::span<const std::uint8_t> palette) noexcept;
   /// True while a request of `show` waits for its VBLANK.
   [[nodiscard]] bool show_pending() noexcept { return do_show_pending(); }
+  static constexpr int nothing = -1;
+  static constexpr int unknown = -2;
+  /// The frame buffer that the device is showing or sending, on which nothing may be drawn; `nothing` if it is
+  /// none of them, `unknown` if the driver can't tell.
+  [[nodiscard]] int on_display() noexcept { return do_on_display(); }
 
   /// Sends a rectangle of pixels to a write panel; `stride` bytes from a row to the next.
   /// Errors: rectangle (outside or empty; misaligned), stride, pixels (too few), unsupported on a scan-out
@@ -102,6 +108,7 @@ class Panel {
   [[nodiscard]] virtual int do_buffer_stride() const noexcept = 0;
   virtual Status do_show(int index, std::span<const std::uint8_t> palette) noexcept = 0;
   [[nodiscard]] virtual bool do_show_pending() noexcept = 0;
+  [[nodiscard]] virtual int do_on_display() noexcept { return unknown; }
   virtual Status do_write(const Rect& area, std::span<const std::uint8_t> pixels, int stride) noexcept = 0;
   virtual Status do_load_palette(std::span<const std::uint8_t> palette) noexcept = 0;
   [[nodiscard]] virtual std::uint32_t do_vblank_count() noexcept = 0;

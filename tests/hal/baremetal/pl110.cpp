@@ -129,6 +129,21 @@ TEST_F(Lcd, ALaterRequestReplacesTheOneBefore) {
   EXPECT_EQ(registers[upper_base], address_of(0));
 }
 
+TEST_F(Lcd, ColoursOfARequestThatIsReplacedStayUnlessTheLaterOneBringsThem) {
+  ASSERT_TRUE(panel.start().ok());
+  const std::array<std::uint8_t, 6> two{255, 0, 0, 0, 255, 0};
+  const std::array<std::uint8_t, 3> one{0, 0, 255};
+  ASSERT_TRUE(panel.show(1, two).ok());
+  ASSERT_TRUE(panel.show(1, {}).ok());
+  ASSERT_TRUE(panel.show(1, one).ok());
+  vblank();
+  EXPECT_EQ(registers[palette], 0x7C00U | 0x03E0U << 16U);
+  registers[palette] = 0;
+  ASSERT_TRUE(panel.show(0, {}).ok());
+  vblank();
+  EXPECT_EQ(registers[palette], 0U) << "what has been shown isn't loaded again";
+}
+
 TEST_F(Lcd, APaletteAloneWaitsForVblankToo) {
   ASSERT_TRUE(panel.start().ok());
   const Registers before = registers;

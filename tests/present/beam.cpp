@@ -1,0 +1,469 @@
+// SPDX-License-Identifier: MIT
+//
+// Racing the beam: windows against brute force over every start, and pictures on a panel whose bus takes time
+// and whose glass remembers what each refresh showed.
+#include <hal/sim/virtual_clock.hpp>
+#include <hal/vblank.hpp>
+#include <intaglio/present/bands.hpp>
+#include <tests/oracle/samples.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <vector>
+
+namespace {
+
+using hal::Nanoseconds;
+using hal::ScanDirection;
+using hal::sim::VirtualClock;
+using intaglio::Argument;
+using intaglio::Error;
+using intaglio::Status;
+using intaglio::image::Indexed8;
+using intaglio::image::Surface;
+using intaglio::present::BandSizes;
+using intaglio::present::BandWriter;
+using intaglio::present::BeamChaser;
+using intaglio::present::BeamTiming;
+using intaglio::present::FrameCounts;
+using intaglio::present::Late;
+using intaglio::present::Pace;
+using intaglio::present::picture_window;
+using intaglio::present::start_window;
+using intaglio::present::StartWindow;
+using intaglio::present::Travel;
+
+/// By the definition, moment by moment: no line is fetched, in the refresh before or the one wanted, while it
+/// is being sent, or sent before the former or after the latter.
+bool undisturbed(const BeamTiming& t, int first, int end, Travel travel, std::int64_t start) {
+  const auto scan = static_cast<std::int64_t>(t.scan_line);
+  const auto bus = static_cast<std::int64_t>(t.bus_line);
+  const auto band = static_cast<std::int64_t>(t.bus_band);
+  const auto margin = static_cast<std::int64_t>(t.margin);
+  for (int line = first; line < end; ++line) {
+    int before = line - first;
+    if (travel == Travel::against) before = end - 1 - line;
+    // What a write takes beside its pixels may come before them or not at all.
+    std::int64_t send_begin = start + before * bus;
+    std::int64_t send_end = start + band + (before + 1) * bus;
+    if (travel == Travel::across) {
+      send_begin = start;
+      send_end = start + band + (end - first) * bus;
+    }
+    const std::int64_t wanted = static_cast<std::int64_t>(t.first_line) + line * scan;
+    const std::int64_t old_end = wanted - static_cast<std::int64_t>(t.refresh) + scan;
+    if (send_begin < old_end + margin || send_end > wanted - margin) return false;
+  }
+  return true;
+}
+
+TEST(BeamRace, WindowIsExactlyTheStartsAtWhichNoLineIsMet) {
+  int open = 0;
+  for (const Travel travel : {Travel::along, Travel::against, Travel::across})
+    for (const Nanoseconds scan : {1U, 3U})
+      for (const Nanoseconds bus : {1U, 2U, 3U, 4U, 7U})
+        for (const Nanoseconds overhead : {0U, 2U})
+          for (const Nanoseconds margin : {0U, 1U})
+            for (int first = 0; first < 6; ++first)
+              for (int end = first + 1; end <= 6; ++end) {
+                const BeamTiming t{.refresh = 25,
+                                   .first_line = 4,
+                                   .scan_line = scan,
+                                   .bus_line = bus,
+                                   .bus_band = overhead,
+                                   .margin = margin};
+                const StartWindow window = start_window(t, first, end, travel);
+                int wrong = 0;
+                for (std::int64_t start = -80; start < 80; ++start) {
+                  const bool inside = start >= window.earliest && start <= window.latest;
+                  wrong += inside != undisturbed(t, first, end, travel, start) ? 1 : 0;
+                }
+                ASSERT_EQ(wrong, 0) << first << ' ' << end << " scan " << scan << " bus " << bus;
+                open += window.open() ? 1 : 0;
+              }
+  EXPECT_GT(open, 100);
+}
+
+/// True if bands begun from `start` on, each as soon as it is ready and may be sent, keep their windows.
+bool picture_goes(const BeamTiming& t, const BandSizes& sizes, Travel travel, std::int64_t start) {
+  std::int64_t now = start;
+  for (int first = 0, count = sizes.first; first < sizes.lines; first += count, count = sizes.band) {
+    const int end = std::min(first + count, sizes.lines);
+    if (first > 0) now += (end - first) * static_cast<std::int64_t>(t.draw_line);
+    while (!undisturbed(t, first, end, travel, now))
+      if (++now > 300) return false;
+    if (first == 0 && now != start) return false;
+    now += static_cast<std::int64_t>(t.bus_band) + (end - first) * static_cast<std::int64_t>(t.bus_line);
+  }
+  return true;
+}
+
+TEST(BeamRace, WindowOfAPictureIsExactlyTheStartsFromWhichAllBandsKeepTheirs) {
+  std::vector<BandSizes> cuts{{1, 1, 1}};
+  for (const int lines : {7, 8})
+    for (int band = 1; band <= lines; ++band) {
+      cuts.push_back({lines, band, band});
+      cuts.push_back({lines, (lines - 1) % band + 1, band});
+    }
+  int open = 0;
+  for (const Travel travel : {Travel::along, Travel::against, Travel::across})
+    for (const Nanoseconds bus : {1U, 2U, 3U, 5U, 6U})
+      for (const Nanoseconds draw : {0U, 1U, 3U})
+        for (const Nanoseconds overhead : {0U, 2U})
+          for (const BandSizes& cut : cuts) {
+            const BeamTiming t{.refresh = 30,
+                               .first_line = 3,
+                               .scan_line = 3,
+                               .bus_line = bus,
+                               .bus_band = overhead,
+                               .draw_line = draw};
+            const StartWindow window = picture_window(t, cut, travel);
+            int wrong = 0;
+            for (std::int64_t start = -60; start < 60; ++start) {
+              const bool inside = start >= window.earliest && start <= window.latest;
+              wrong += inside != picture_goes(t, cut, travel, start) ? 1 : 0;
+            }
+            ASSERT_EQ(wrong, 0) << cut.lines << ": " << cut.first << ", " << cut.band << " bus " << bus
+                                << " draw " << draw << " travel " << static_cast<int>(travel);
+            open += window.open() ? 1 : 0;
+          }
+  EXPECT_GT(open, 100);
+}
+
+TEST(BeamRace, ABusMayTakeNearlyTwoRefreshes) {
+  // 240 lines in 16 ms of a refresh of 16.666667 ms, sent line by line.
+  BeamTiming t{.refresh = 16'666'667, .first_line = 500'000, .scan_line = 66'666};
+  const auto bus_line_of = [](Nanoseconds picture) { return picture / 240U; };
+  const Nanoseconds most = t.refresh + 238U * t.scan_line;
+  t.bus_line = bus_line_of(most);
+  EXPECT_TRUE(picture_window(t, {240, 1, 1}, Travel::along).open());
+  t.bus_line = bus_line_of(most) + 1U;
+  EXPECT_FALSE(picture_window(t, {240, 1, 1}, Travel::along).open());
+  t.bus_line = 75'000;  // 18 ms
+  const StartWindow window = picture_window(t, {240, 240, 240}, Travel::along);
+  EXPECT_EQ(window.earliest, 500'000 + 66'666 - 16'666'667) << "right behind the beam";
+  EXPECT_EQ(window.latest, 500'000 + 239 * 66'666 - 18'000'000) << "before it comes again";
+}
+
+/// A panel of rows and columns of bytes behind a bus that takes time. A beam fetches a line's first half at
+/// the beginning of the line's time and its second at the end; refreshes that saw two values are torn.
+class SlowPanel final : public hal::Panel, public hal::VblankSource, private VirtualClock::Listener {
+ public:
+  SlowPanel(VirtualClock& clock, int width, int height, ScanDirection scan, const BeamTiming& timing)
+      : glass(static_cast<std::size_t>(width * height)),
+        clock_(&clock),
+        timing_(timing),
+        capabilities_{.width = width, .height = height, .buffers = 0, .scan = scan} {
+    clock.attach(*this);
+  }
+  ~SlowPanel() override { clock_->detach(*this); }
+
+  std::vector<std::uint8_t> glass;
+  std::uint64_t refreshes = 0;
+  std::uint64_t torn = 0;
+  std::vector<bool> silent;      ///< VBLANKs, modulo their number, that aren't told.
+  Nanoseconds signal_delay = 0;  ///< A signal comes so much late.
+  Nanoseconds extra_per_write = 0;
+  int writes_until_fault = -1;
+
+ private:
+  int width() const { return capabilities_.width; }
+  int height() const { return capabilities_.height; }
+  bool sideways() const {
+    return capabilities_.scan == ScanDirection::left || capabilities_.scan == ScanDirection::right;
+  }
+  int lines() const { return sideways() ? width() : height(); }
+  std::uint8_t& pixel(int x, int y) { return glass[static_cast<std::size_t>(y * width() + x)]; }
+
+  const hal::Capabilities& do_capabilities() const noexcept override { return capabilities_; }
+  std::span<std::uint8_t> do_buffer(int) noexcept override { return {}; }
+  int do_buffer_stride() const noexcept override { return 0; }
+  hal::Status do_show(int, std::span<const std::uint8_t>) noexcept override { return {}; }
+  bool do_show_pending() noexcept override { return false; }
+  hal::Status do_load_palette(std::span<const std::uint8_t>) noexcept override { return {}; }
+  std::uint32_t do_vblank_count() noexcept override { return do_count(); }
+  hal::Status do_wait_for_vblank() noexcept override { return do_wait(); }
+  hal::Status do_write(const hal::Rect& r, std::span<const std::uint8_t> pixels,
+                       int stride) noexcept override {
+    if (writes_until_fault == 0) return {hal::Error::bus, hal::Part::bus};
+    if (writes_until_fault > 0) --writes_until_fault;
+    clock_->advance(timing_.bus_band + extra_per_write);
+    const Nanoseconds start = clock_->now();
+    const Nanoseconds all = timing_.bus_line * static_cast<Nanoseconds>(sideways() ? r.width : r.height);
+    for (int y = 0; y < r.height; ++y)
+      for (int half = 0; half < 2; ++half) {
+        for (int x = half * r.width / 2; x < (half + 1) * r.width / 2; ++x)
+          pixel(r.x + x, r.y + y) = pixels[static_cast<std::size_t>(y * stride + x)];
+        clock_->wait_until(start + all * static_cast<Nanoseconds>(2 * y + half + 1) /
+                                       static_cast<Nanoseconds>(2 * r.height));
+      }
+    return {};
+  }
+
+  bool told(std::uint64_t vblank) const { return silent.empty() || !silent[vblank % silent.size()]; }
+  /// The signals given until now; VBLANK n (from 1 on) begins at (n - 1) refreshes.
+  std::uint32_t do_count() noexcept override {
+    while (told_ * timing_.refresh + signal_delay <= clock_->now()) {
+      if (told(told_)) {
+        ++count_;
+        last_ = told_ * timing_.refresh + signal_delay;
+      }
+      ++told_;
+    }
+    return count_;
+  }
+  hal::Status do_wait() noexcept override {
+    const std::uint32_t before = do_count();
+    while (do_count() == before) clock_->wait_until(told_ * timing_.refresh + signal_delay);
+    return {};
+  }
+  Nanoseconds do_last() noexcept override {
+    do_count();
+    return last_;
+  }
+
+  void before_time_moves(Nanoseconds time) override {
+    for (;;) {
+      const Nanoseconds line_begin = refreshes * timing_.refresh + timing_.first_line +
+                                     static_cast<Nanoseconds>(line_) * timing_.scan_line;
+      // The end of a line is over just before the next begins.
+      if ((half_ == 0 ? line_begin : line_begin + timing_.scan_line) > time) return;
+      fetch();
+    }
+  }
+  void fetch() {
+    const bool back = capabilities_.scan == ScanDirection::up || capabilities_.scan == ScanDirection::left;
+    const int line = back ? lines() - 1 - line_ : line_;
+    const int length = sideways() ? height() : width();
+    for (int i = half_ * length / 2; i < (half_ + 1) * length / 2; ++i) {
+      const std::uint8_t value = sideways() ? pixel(line, i) : pixel(i, line);
+      if (line_ == 0 && half_ == 0 && i == 0) value_ = value;
+      mixed_ = mixed_ || value != value_;
+    }
+    half_ = 1 - half_;
+    if (half_ == 1 || ++line_ < lines()) return;
+    line_ = 0;
+    torn += mixed_ ? 1U : 0U;
+    mixed_ = false;
+    ++refreshes;
+  }
+
+  VirtualClock* clock_;
+  BeamTiming timing_;
+  hal::Capabilities capabilities_;
+  std::uint64_t told_ = 0;
+  std::uint32_t count_ = 0;
+  Nanoseconds last_ = 0;
+  int line_ = 0;
+  int half_ = 0;
+  std::uint8_t value_ = 0;
+  bool mixed_ = false;
+};
+
+constexpr int width = 24;
+constexpr int height = 18;
+
+BeamTiming timing_of(ScanDirection scan, Nanoseconds bus_line) {
+  const bool sideways = scan == ScanDirection::left || scan == ScanDirection::right;
+  const Nanoseconds lines = sideways ? width : height;
+  return {.refresh = 60'000,
+          .first_line = 3'000,
+          .scan_line = 50'000 / lines,
+          .bus_line = bus_line,
+          .bus_band = 200,
+          .draw_line = 40,
+          .margin = 100};
+}
+
+/// Fills a band with the number of its frame.
+auto drawing(std::uint32_t frame, VirtualClock& clock, Nanoseconds time) {
+  return [frame, &clock, time](const Surface<Indexed8>& band) {
+    clock.advance(time);
+    const auto b = band.bounds();
+    for (int y = b.y; y < b.bottom(); ++y)
+      for (int x = b.x; x < b.right(); ++x) band.set(x, y, frame & 255U);
+    return Status{};
+  };
+}
+
+TEST(BeamChaser, IsNeverTornWhereItSaysSoInAllDirections) {
+  constexpr unsigned seed = 50'001;
+  SCOPED_TRACE(seed);
+  std::mt19937 random(seed);
+  int possible = 0;
+  int impossible = 0;
+  for (int round = 0; round < oracle::samples(300, 20'000); ++round) {
+    const auto scan = static_cast<ScanDirection>(random() % 4U);
+    const bool sideways = scan == ScanDirection::left || scan == ScanDirection::right;
+    const BeamTiming timing = timing_of(scan, 300U + random() % 5'000U);
+    const int band = 1 + static_cast<int>(random() % 6U);
+    VirtualClock clock;
+    SlowPanel panel(clock, width, height, scan, timing);
+    panel.signal_delay = random() % 100U;
+    BeamChaser chaser(clock, panel, timing);
+    std::vector<std::uint8_t> memory(static_cast<std::size_t>(band * (sideways ? height : width)));
+    const int interval = 1 + static_cast<int>(random() % 3U);
+    BandWriter<Indexed8> writer(panel, memory, chaser, interval);
+    ASSERT_TRUE(writer.status().ok());
+    ASSERT_EQ(writer.rows(), band);
+    constexpr std::uint32_t frames = 12;
+    for (std::uint32_t n = 1; n <= frames; ++n) {
+      const Nanoseconds most = timing.draw_line * static_cast<unsigned>(band);
+      ASSERT_TRUE(writer.present(drawing(n, clock, random() % (most + 1U))).ok());
+      ASSERT_EQ(std::ranges::count(panel.glass, n), width * height) << "every pixel of the frame is there";
+      if (random() % 3U == 0) clock.advance(random() % 100'000U);
+    }
+    clock.advance(2U * timing.refresh);
+    ASSERT_EQ(writer.counts().shown, frames);
+    if (chaser.tear_free()) {
+      ++possible;
+      ASSERT_EQ(panel.torn, 0U) << "bus " << timing.bus_line << " band " << band << " direction "
+                                << static_cast<int>(scan);
+      ASSERT_EQ(chaser.torn(), 0U);
+    } else {
+      ++impossible;
+      ASSERT_EQ(chaser.torn(), frames);
+    }
+  }
+  EXPECT_GT(possible, 50);
+  EXPECT_GT(impossible, 30);
+}
+
+TEST(BeamChaser, WithoutItTheSamePicturesAreTorn) {
+  const BeamTiming timing = timing_of(ScanDirection::down, 3'000);
+  VirtualClock clock;
+  SlowPanel panel(clock, width, height, ScanDirection::down, timing);
+  std::vector<std::uint8_t> memory(4 * width);
+  BandWriter<Indexed8> writer(panel, memory);
+  for (std::uint32_t n = 1; n <= 20; ++n) ASSERT_TRUE(writer.present(drawing(n, clock, 50)).ok());
+  EXPECT_GT(panel.torn, 10U);
+}
+
+TEST(BeamChaser, CountsEveryTearThatSlowDrawingMakes) {
+  std::mt19937 random(50'002);
+  const BeamTiming timing = timing_of(ScanDirection::down, 2'000);
+  VirtualClock clock;
+  SlowPanel panel(clock, width, height, ScanDirection::down, timing);
+  BeamChaser chaser(clock, panel, timing);
+  std::vector<std::uint8_t> memory(3 * width);
+  BandWriter<Indexed8> writer(panel, memory, chaser);
+  for (std::uint32_t n = 1; n <= 100; ++n) {
+    const Nanoseconds time = random() % 5U == 0 ? 20'000U : 100U;
+    ASSERT_TRUE(writer.present(drawing(n, clock, time)).ok());
+  }
+  clock.advance(2U * timing.refresh);
+  EXPECT_GT(panel.torn, 0U);
+  // A picture that is late may tear two refreshes.
+  EXPECT_LE(panel.torn, 2U * chaser.torn());
+  EXPECT_LT(chaser.torn(), 40U);
+}
+
+TEST(BeamChaser, CountsATearThatASlowBusMakes) {
+  const BeamTiming timing = timing_of(ScanDirection::down, 3'500);
+  VirtualClock clock;
+  SlowPanel panel(clock, width, height, ScanDirection::down, timing);
+  BeamChaser chaser(clock, panel, timing);
+  std::vector<std::uint8_t> memory(std::size_t{height} * width);
+  BandWriter<Indexed8> writer(panel, memory, chaser);
+  ASSERT_TRUE(writer.present(drawing(1, clock, 50)).ok());
+  EXPECT_EQ(chaser.torn(), 0U);
+  panel.extra_per_write = timing.refresh;
+  ASSERT_TRUE(writer.present(drawing(2, clock, 50)).ok());
+  EXPECT_EQ(chaser.torn(), 1U);
+}
+
+TEST(BeamChaser, GoesOnWhenSignalsDropOut) {
+  const BeamTiming timing = timing_of(ScanDirection::down, 2'000);
+  VirtualClock clock;
+  SlowPanel panel(clock, width, height, ScanDirection::down, timing);
+  panel.silent = {false, false, true, false, true, true, true, false, true};
+  BeamChaser chaser(clock, panel, timing);
+  std::vector<std::uint8_t> memory(6 * width);
+  BandWriter<Indexed8> writer(panel, memory, chaser, 2);
+  for (std::uint32_t n = 1; n <= 200; ++n) ASSERT_TRUE(writer.present(drawing(n, clock, 100)).ok());
+  EXPECT_EQ(panel.torn, 0U);
+  EXPECT_EQ(writer.counts(), (FrameCounts{200, 0, 0, 0}));
+  // The first frame was aimed at refresh 1 or so, the last 398 later.
+  EXPECT_NEAR(static_cast<double>(panel.refreshes), 399.0, 2.0);
+}
+
+TEST(BeamChaser, DropsOrShowsLateFramesAndCounts) {
+  for (const Late late : {Late::show, Late::drop}) {
+    const BeamTiming timing = timing_of(ScanDirection::up, 2'000);
+    VirtualClock clock;
+    SlowPanel panel(clock, width, height, ScanDirection::up, timing);
+    BeamChaser chaser(clock, panel, timing);
+    std::vector<std::uint8_t> memory(6 * width);
+    BandWriter<Indexed8> writer(panel, memory, chaser, Pace(1, late));
+    for (std::uint32_t n = 1; n <= 50; ++n) {
+      ASSERT_TRUE(writer.present(drawing(n, clock, 100)).ok());
+      if (n % 10U == 0) clock.advance(2U * timing.refresh + timing.refresh / 3U);
+    }
+    EXPECT_EQ(panel.torn, 0U);
+    const FrameCounts counts = writer.counts();
+    EXPECT_EQ(counts.shown + counts.dropped, 50U);
+    EXPECT_EQ(late == Late::show ? counts.late : counts.dropped, 4U) << "those after a pause";
+  }
+}
+
+TEST(BeamChaser, AFailedWriteLosesTheFrameAndTheNextGoesOn) {
+  const BeamTiming timing = timing_of(ScanDirection::down, 2'000);
+  VirtualClock clock;
+  SlowPanel panel(clock, width, height, ScanDirection::down, timing);
+  BeamChaser chaser(clock, panel, timing);
+  std::vector<std::uint8_t> memory(6 * width);
+  BandWriter<Indexed8> writer(panel, memory, chaser);
+  panel.writes_until_fault = 1;
+  EXPECT_EQ(writer.present(drawing(1, clock, 0)), Status(Error::device, Argument::panel));
+  panel.writes_until_fault = -1;
+  EXPECT_TRUE(writer.present(drawing(2, clock, 0)).ok());
+  EXPECT_EQ(writer.counts(), (FrameCounts{1, 0, 1, 0}));
+}
+
+TEST(BeamChaser, WhoWatchesSeesBandsFromTheTopWhicheverWayTheyAreSent) {
+  for (const auto scan :
+       {ScanDirection::down, ScanDirection::up, ScanDirection::left, ScanDirection::right}) {
+    const BeamTiming timing = timing_of(scan, 1'000);
+    VirtualClock clock;
+    SlowPanel panel(clock, width, height, scan, timing);
+    BeamChaser chaser(clock, panel, timing);
+    std::vector<std::uint8_t> memory(5 * width);
+    BandWriter<Indexed8> writer(panel, memory, chaser);
+    int next = 0;
+    const auto watch = [&next](const intaglio::image::Picture<Indexed8>& band) {
+      EXPECT_EQ(band.bounds().y, next);
+      EXPECT_EQ(band.bounds().width, width);
+      next = band.bounds().bottom();
+    };
+    ASSERT_TRUE(writer.present(drawing(1, clock, 0), {}, watch).ok());
+    EXPECT_EQ(next, height);
+  }
+}
+
+TEST(BeamChaser, TimesThatCannotBeAreRefused) {
+  VirtualClock clock;
+  const BeamTiming good = timing_of(ScanDirection::down, 2'000);
+  SlowPanel panel(clock, width, height, ScanDirection::down, good);
+  std::vector<std::uint8_t> memory(6 * width);
+  const auto status = [&](const BeamTiming& timing) {
+    BeamChaser chaser(clock, panel, timing);
+    return BandWriter<Indexed8>(panel, memory, chaser).status();
+  };
+  EXPECT_TRUE(status(good).ok());
+  const Status wrong(Error::out_of_range, Argument::table);
+  for (auto member : {&BeamTiming::refresh, &BeamTiming::scan_line, &BeamTiming::bus_line}) {
+    BeamTiming bad = good;
+    bad.*member = 0;
+    EXPECT_EQ(status(bad), wrong);
+  }
+  BeamTiming bad = good;
+  bad.margin = 10'000'000'001U;
+  EXPECT_EQ(status(bad), wrong);
+  bad = good;
+  bad.scan_line = good.refresh / static_cast<Nanoseconds>(height) + 1U;
+  EXPECT_EQ(status(bad), wrong);
+}
+
+}  // namespace

@@ -10,6 +10,7 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/firmware/intaglio DESTINATION ${CMAKE_IN
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/hal/include/hal DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
         FILES_MATCHING PATTERN "*.hpp")
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/hal/panels ${PROJECT_SOURCE_DIR}/hal/sim ${PROJECT_SOURCE_DIR}/hal/mock
+                  ${PROJECT_SOURCE_DIR}/hal/hid
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/hal FILES_MATCHING PATTERN "*.hpp")
 
 get_property(intaglio_exported GLOBAL PROPERTY intaglio_exported_targets)

@@ -61,7 +61,8 @@ OpenChip open_chip(const std::string& chip) {
 
 unsigned find_line(const OpenChip& of, const std::string& line) {
   const unsigned count = of.chip.line_count();
-  if (const auto named = of.chip.find(line)) return *named;
+  // Lines without a name aren't called by it.
+  if (const auto named = line.empty() ? std::nullopt : of.chip.find(line)) return *named;
   const auto numbered = number(line);
   if (!numbered)
     throw DeviceError("GPIO chip " + of.name + " has no line " + quoted(line) + "; gpioinfo names its lines");

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+//
+// Panels that a command line wires up, with models of the controllers at the ends of the wires.
+#include <hal/mock/strict_ssd0323.hpp>
+#include <hal/mock/strict_ssd1306.hpp>
+#include <hal/sim/catalog.hpp>
+#include <hal/sim/panel.hpp>
+#include <host/attach/attach.hpp>
+#include <host/failure.hpp>
+#include <host/sim/program.hpp>
+#include <tests/hal/linux/fake_gpio.hpp>
+#include <tests/hal/linux/spi_decoder.hpp>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cerrno>
+
+namespace {
+
+using fake_gpio::kernel;
+using host::AttachOptions;
+using testing::AllOf;
+using testing::HasSubstr;
+
+AttachOptions by_hand(const char* panel) {
+  AttachOptions options;
+  options.panel = panel;
+  options.bitbang = "SCK,MOSI,CS";
+  options.data_command = "DC";
+  return options;
+}
+
+class Wired : public testing::Test {
+ protected:
+  Wired() {
+    fake_gpio::reset();
+    fake_gpio::Chip chip{"display", std::vector<fake_gpio::Line>(8)};
+    const char* const names[] = {"TE", "DC", "RST", "SCK", "MOSI", "CS"};
+    for (std::size_t i = 0; i < std::size(names); ++i) chip.lines[i].name = names[i];
+    kernel().chips["/dev/gpiochip0"] = chip;
+  }
+  ~Wired() override {
+    kernel().on_set = [](const fake_gpio::Chip&) {};
+    EXPECT_EQ(kernel().held, 0) << "lines are still held";
+  }
+
+  template <class Model>
+  void put_at_the_ends(Model& model) {
+    const fake_gpio::SpiLines lines{.clock = 3, .data = 4, .select = 5, .data_command = 1};
+    kernel().on_set = [decoder = fake_gpio::SpiDecoder(lines, model.spi(), model.data_command())](
+                          const fake_gpio::Chip& chip) mutable { decoder(chip); };
+  }
+
+  static std::string refusal(const AttachOptions& options) {
+    try {
+      static_cast<void>(host::attach(options));
+    } catch (const host::Failure& failure) {
+      return failure.what();
+    }
+    return "it was accepted";
+  }
+};
+
+/// What the simulator shows of the test card after so many frames.
+hal::mock::Pattern simulated(const char* panel_name, std::uint32_t frames) {
+  hal::sim::VirtualClock clock;
+  hal::sim::Panel panel(*hal::sim::find_panel(panel_name), clock);
+  EXPECT_TRUE(host::find_program("testcard")
+                  ->run(panel, 1, frames, [](std::uint32_t, std::uint32_t) { return true; })
+                  .ok());
+  const hal::sim::Picture picture = panel.displayed();
+  hal::mock::Pattern pattern = hal::mock::Pattern::blank(picture.width, picture.height);
+  const int greys = (1 << panel.capabilities().bits_per_pixel) - 1;
+  for (int y = 0; y < picture.height; ++y)
+    for (int x = 0; x < picture.width; ++x)
+      pattern.at(x, y) = picture.rgb[static_cast<std::size_t>(y * picture.width + x) * 3U] * greys / 255;
+  return pattern;
+}
+
+template <class Model>
+void shows_what_the_simulator_shows(Model& model, const char* real, const char* simulated_name) {
+  constexpr std::uint32_t frames = 3;
+  {
+    const auto attached = host::attach(by_hand(real));
+    EXPECT_TRUE(host::find_program("testcard")
+                    ->run(attached->panel(), 1, frames, [](std::uint32_t, std::uint32_t) { return true; })
+                    .ok());
+    EXPECT_TRUE(model.on());
+    EXPECT_EQ(side_by_side(simulated(simulated_name, frames), model.displayed(), false), "");
+  }
+  EXPECT_FALSE(model.on()) << "left on";
+}
+
+TEST_F(Wired, AnSsd1306ShowsWhatTheSimulatorShowsAndIsLeftBlank) {
+  hal::mock::StrictSsd1306 model(128, 64);
+  put_at_the_ends(model);
+  shows_what_the_simulator_shows(model, "ssd1306", "ssd1306");
+}
+
+TEST_F(Wired, AnSsd0323ShowsWhatTheSimulatorShowsAndIsLeftBlank) {
+  hal::mock::StrictSsd0323 model;
+  put_at_the_ends(model);
+  shows_what_the_simulator_shows(model, "ssd0323", "oled");
+}
+
+TEST_F(Wired, APanelThatKeepsItsPictureIsLeftOn) {
+  hal::mock::StrictSsd1306 model(128, 64);
+  put_at_the_ends(model);
+  {
+    const auto attached = host::attach(by_hand("ssd1306"));
+    EXPECT_TRUE(attached->keep());
+  }
+  EXPECT_TRUE(model.on());
+}
+
+TEST_F(Wired, AChipPulledOutMidFrameEndsTheRunWithItsName) {
+  hal::mock::StrictSsd1306 model(128, 64);
+  put_at_the_ends(model);
+  const auto attached = host::attach(by_hand("ssd1306"));
+  kernel().calls_left = 1000;
+  kernel().error = ENODEV;
+  const intaglio::Status status =
+      host::find_program("testcard")->run(attached->panel(), 1, 5, [](std::uint32_t, std::uint32_t) {
+        return true;
+      });
+  EXPECT_EQ(status.error(), intaglio::Error::device);
+  EXPECT_THAT(attached->fault(), AllOf(HasSubstr("of gpiochip0"), HasSubstr("the device is gone")));
+}
+
+TEST_F(Wired, AFaultWhileStartingIsSaidAndGivesTheLinesBack) {
+  kernel().calls_left = 200;
+  kernel().error = EIO;
+  EXPECT_THAT(refusal(by_hand("ssd1306")), AllOf(HasSubstr("ssd1306: GPIO line"), HasSubstr("of gpiochip0")));
+}
+
+TEST_F(Wired, AResetIsAPulseBeforeAnythingElse) {
+  hal::mock::StrictSsd1306 model(128, 64);
+  put_at_the_ends(model);
+  AttachOptions options = by_hand("ssd1306");
+  options.reset = "RST";
+  std::vector<int> levels;
+  kernel().on_set = [&, next = kernel().on_set](const fake_gpio::Chip& chip) {
+    if (levels.empty() || levels.back() != chip.lines[2].value) levels.push_back(chip.lines[2].value);
+    next(chip);
+  };
+  static_cast<void>(host::attach(options));
+  EXPECT_THAT(levels, testing::ElementsAre(1, 0, 1));
+}
+
+TEST_F(Wired, OptionsThatMakeNoSenseAreSaid) {
+  EXPECT_THAT(refusal({.panel = "ssd1306", .spi = "/dev/spidev0.0"}), HasSubstr("--dc"));
+  AttachOptions options = by_hand("ssd1306");
+  options.spi = "/dev/spidev0.0";
+  EXPECT_THAT(refusal(options), HasSubstr("one of --spi, --i2c and --bitbang"));
+  options = by_hand("ssd1306");
+  options.bitbang = "SCK";
+  EXPECT_THAT(refusal(options), HasSubstr("'SCK'"));
+  options = by_hand("ssd1306");
+  options.bitbang = "SCK,MOSI,DC";
+  EXPECT_THAT(refusal(options), HasSubstr("GPIO line 1 (DC) of gpiochip0 is in use by 'intaglio'"));
+  options = by_hand("ssd1306");
+  options.size = "96x96";
+  EXPECT_THAT(refusal(options), HasSubstr("96x96"));
+  options = by_hand("ssd1306");
+  options.te = "TE";
+  EXPECT_THAT(refusal(options), HasSubstr("--te"));
+  EXPECT_THAT(refusal(by_hand("ssd9999")), AllOf(HasSubstr("'ssd9999'"), HasSubstr("ssd1306")));
+  EXPECT_THAT(refusal(by_hand("nowhere:1")), HasSubstr("no wires"));
+  EXPECT_THAT(refusal({.panel = "nowhere:1"}), HasSubstr("'nowhere:'"));
+}
+
+TEST_F(Wired, WiresOrASchemeMeanARealPanel) {
+  EXPECT_TRUE(host::means_attached(by_hand("ssd1306")));
+  EXPECT_TRUE(host::means_attached({.panel = "kms:/dev/dri/card0"}));
+  EXPECT_FALSE(host::means_attached({.panel = "ssd1306"}));
+  EXPECT_FALSE(host::means_attached({.panel = "320x240x8"}));
+}
+
+}  // namespace

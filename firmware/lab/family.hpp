@@ -112,4 +112,16 @@ template <FamilyOfRungs F, class R>
   }
 }
 
+/// Why the bound of a rung isn't tight, as the family or the rung says; empty if it is.
+template <FamilyOfRungs F, class R>
+[[nodiscard]] constexpr std::string_view slack() noexcept {
+  if constexpr (requires { F::template slack<R>(); }) {
+    return F::template slack<R>();
+  } else if constexpr (requires { R::slack; }) {
+    return R::slack;
+  } else {
+    return {};
+  }
+}
+
 }  // namespace lab

@@ -48,7 +48,7 @@ def text(rows):
         if family != before:
             lines.append(f"    // {family}: {families[family]}")
             before = family
-        lines.append(f'    {{"{rung}", {{{", ".join(str(of_cores[core]) for core in CORES)}}}}},')
+        lines.append(f'    {{"{family}", "{rung}", {{{", ".join(str(of_cores[core]) for core in CORES)}}}}},')
     head = _HEAD.format(cores=", ".join(CORES), count=len(costs))
     return head + "\n".join(lines) + "\n" + _END
 

@@ -110,11 +110,11 @@ class Shipped(unittest.TestCase):
 
     def test_hundredths_under_the_first_load(self):
         text = shipped.text([{**each, 'instructions': '99'} if each['metric'] == 'small' else each for each in self.rows])
-        self.assertIn('{"A", {' + ', '.join(['1234'] * len(CORES)) + '}},', text)
+        self.assertIn('{"sine", "A", {' + ', '.join(['1234'] * len(CORES)) + '}},', text)
         self.assertNotIn('9900', text)
 
     def test_what_costs_less_than_nothing_costs_nothing(self):
-        self.assertIn('{"B", {' + ', '.join(['0'] * len(CORES)) + '}},', shipped.text(self.rows))
+        self.assertIn('{"sine", "B", {' + ', '.join(['0'] * len(CORES)) + '}},', shipped.text(self.rows))
 
     def test_a_core_that_lacks_is_named(self):
         with self.assertRaisesRegex(Failure, 'sine, A.*arm926'):

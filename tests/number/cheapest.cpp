@@ -45,15 +45,20 @@ struct Sized {
 };
 
 // Cortex-M0+ has no divider: Fine is dear there.
-constexpr std::array<MeasuredCost, 8> costs{{
-    {"Coarse", {1000, 1000, 1000, 1000, 1000, 1000, 1000}},
-    {"Middle", {2000, 2000, 1500, 2000, 2000, 2000, 2000}},
-    {"AlsoMiddle", {2000, 2001, 1501, 2000, 2000, 2000, 2000}},
-    {"Fine", {9000, 1999, 1500, 3000, 3000, 3000, 500}},
-    {"Exact", {20000, 20000, 20000, 20000, 20000, 20000, 20000}},
-    {"InOtherUnits", {1, 1, 1, 1, 1, 1, 1}},
-    {"Sized<2>", {200, 200, 200, 200, 200, 200, 200}},
-    {"Sized<16>", {300, 300, 300, 300, 300, 300, 300}},
+constexpr std::array<MeasuredCost, 13> costs{{
+    {"precision", "Coarse", {1000, 1000, 1000, 1000, 1000, 1000, 1000}},
+    {"precision", "Middle", {2000, 2000, 1500, 2000, 2000, 2000, 2000}},
+    {"precision", "AlsoMiddle", {2000, 2001, 1501, 2000, 2000, 2000, 2000}},
+    {"precision", "Fine", {9000, 1999, 1500, 3000, 3000, 3000, 500}},
+    {"precision", "Exact", {20000, 20000, 20000, 20000, 20000, 20000, 20000}},
+    {"precision", "InOtherUnits", {1, 1, 1, 1, 1, 1, 1}},
+    {"pair", "Coarse", {7, 7, 7, 7, 7, 7, 7}},
+    {"pair", "Fine", {6, 6, 6, 6, 6, 6, 6}},
+    {"triple", "Coarse", {1, 1, 1, 1, 1, 1, 1}},
+    {"triple", "Fine", {2, 2, 2, 2, 2, 2, 2}},
+    {"triple", "Sized<2>", {3, 3, 3, 3, 3, 3, 3}},
+    {"sizes", "Sized<2>", {200, 200, 200, 200, 200, 200, 200}},
+    {"sizes", "Sized<16>", {300, 300, 300, 300, 300, 300, 300}},
 }};
 
 using All = Family<Coarse, AlsoMiddle, Middle, Fine, Exact>;
@@ -87,6 +92,13 @@ TEST(Cheapest, TakesABoundOfZeroInAnyUnit) {
 TEST(Cheapest, LeavesOutWhatIsInAnotherUnitThanTheFamily) {
   using Mixed = Family<Exact, Coarse, InOtherUnits>;
   EXPECT_TRUE((std::same_as<Chosen<Core::cortex_m3, lsb_q15(5000), Mixed>, Coarse>));
+}
+
+TEST(Cheapest, TakesTheFiguresOfTheSmallestFamilyThatHasAllRungs) {
+  using Pair = Family<Fine, Coarse>;
+  EXPECT_TRUE((std::same_as<Chosen<Core::cortex_m3, lsb_q15(4000), Pair>, Fine>));
+  using Triple = Family<Fine, Coarse, Sized<2>>;
+  EXPECT_TRUE((std::same_as<Chosen<Core::cortex_m3, lsb_q15(4000), Triple>, Coarse>));
 }
 
 TEST(Cheapest, KnowsRungsThatAreTemplates) {

@@ -47,6 +47,14 @@ struct Bound {
 
 [[nodiscard]] constexpr Bound pixels(std::int32_t thousandths) noexcept { return {thousandths, Unit::pixel}; }
 
+[[nodiscard]] constexpr Bound wrong_pixels(std::int32_t thousandths) noexcept {
+  return {thousandths, Unit::wrong_pixel};
+}
+
+[[nodiscard]] constexpr Bound coverage_levels(std::int32_t thousandths) noexcept {
+  return {thousandths, Unit::coverage_level};
+}
+
 [[nodiscard]] constexpr Bound parts_of_value(std::int32_t thousandths) noexcept {
   return {thousandths, Unit::value};
 }

@@ -2,6 +2,9 @@
 //
 // The cheapest rung that is accurate enough, chosen at compile time.
 //
+// Each part of the library has its families beside what they compute (number/sine_rungs.hpp, raster/
+// line_rungs.hpp, ...); this header and its table know them by name only.
+//
 // Rule: of the rungs of a family whose stated bound isn't above the one asked for, the one with the fewest
 // instructions on a core, as the accuracy lab counted them; among equals the more accurate, then the first in
 // the family's list. The figures are a table that ships with the library, so a program's choice follows when
@@ -47,7 +50,8 @@ template <class Rung>
 struct RungIsNotMeasured {
   static_assert(
       never<Rung>,
-      "this rung stands not once in the table of costs: run `intaglio-lab run` and `intaglio-lab accept`");
+      "this rung isn't in the table of costs beside the others of the family: run `intaglio-lab run` and "
+      "`intaglio-lab accept`");
 };
 
 struct Candidate {
@@ -55,15 +59,37 @@ struct Candidate {
   std::int64_t cost;
 };
 
-/// What a rung costs; below 0 if it has not exactly one row.
+/// What a rung costs in a family of the table; below 0 if it has not exactly one row there.
 template <std::size_t Rows>
-[[nodiscard]] constexpr std::int64_t cost_of(std::string_view rung, Core core,
+[[nodiscard]] constexpr std::int64_t cost_of(std::string_view family, std::string_view rung, Core core,
                                              const std::array<MeasuredCost, Rows>& costs) noexcept {
   std::int64_t found = -1;
   for (const MeasuredCost& row : costs) {
-    if (row.rung != rung) continue;
+    if (row.rung != rung || row.family != family) continue;
     if (found >= 0) return -1;
     found = row.hundredths[static_cast<std::size_t>(core)];
+  }
+  return found;
+}
+
+/// The family of the table that has all of these rungs, for a rung may stand in several; among such the one
+/// with the fewest others. If there is none, one that has the first rung.
+template <std::size_t N, std::size_t Rows>
+[[nodiscard]] constexpr std::string_view family_of(const std::array<std::string_view, N>& rungs, Core core,
+                                                   const std::array<MeasuredCost, Rows>& costs) noexcept {
+  std::string_view found;
+  std::size_t fewest = Rows + 1;
+  for (const MeasuredCost& row : costs) {
+    if (row.rung != rungs[0]) continue;
+    std::size_t size = 0;
+    for (const MeasuredCost& other : costs) size += other.family == row.family ? 1 : 0;
+    for (const std::string_view rung : rungs) {
+      if (cost_of(row.family, rung, core, costs) < 0) size = Rows + 1;
+    }
+    if (size < fewest || found.empty()) {
+      found = row.family;
+      fewest = size;
+    }
   }
   return found;
 }
@@ -82,8 +108,10 @@ struct Cheapest;
 
 template <class... R, Core core, Bound asked, const auto& costs>
 struct Cheapest<Family<R...>, core, asked, costs> {
+  static constexpr std::array<std::string_view, sizeof...(R)> names{type_name<R>()...};
+  static constexpr std::string_view family = family_of(names, core, costs);
   static constexpr std::array<Candidate, sizeof...(R)> candidates{
-      Candidate{R::bound, cost_of(type_name<R>(), core, costs)}...};
+      Candidate{R::bound, cost_of(family, type_name<R>(), core, costs)}...};
   static constexpr Unit unit = unit_of(candidates);
 
   /// The first of those candidates that no other is better than; `better(a, b)`: a is better than b.

@@ -25,6 +25,7 @@ inline constexpr std::size_t core_count = 7;
 
 /// What a rung costs: hundredths of an instruction a call on each core, under its family's first load.
 struct MeasuredCost {
+  std::string_view family;
   std::string_view rung;
   std::array<std::int64_t, core_count> hundredths;
 };

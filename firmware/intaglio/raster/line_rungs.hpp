@@ -63,6 +63,12 @@ concept LineRung = number::Rung<R> && requires(const R& rung, typename R::Stairs
   { stairs.next() } -> std::same_as<bool>;
 };
 
+/// Draws the line from `a` to `b`, both ends included, by a rung. Errors: out_of_domain point. Cost: a
+/// division, some hundred instructions where the line is clipped, and for each visible pixel what a step of
+/// the rung takes.
+template <LineRung Rung, SpanSink S>
+Status draw_line_by(S&& sink, linear::Point a, linear::Point b);
+
 namespace detail {
 
 inline constexpr int longest_line = 2 * linear::coordinate_limit;
@@ -88,6 +94,11 @@ struct FixedSlopeLine {
   /// j(k).
   [[nodiscard]] int operator()(const LineSlope& slope, int k) const noexcept {
     return typename R::Stairs(slope).at(k);
+  }
+  /// Draws the line from `a` to `b`: `draw_line_by`.
+  template <SpanSink S>
+  Status operator()(S&& sink, linear::Point a, linear::Point b) const {
+    return draw_line_by<R>(sink, a, b);
   }
 
  protected:
@@ -177,10 +188,21 @@ struct DistanceLine {
 
   /// j(k).
   [[nodiscard]] int operator()(const LineSlope& slope, int k) const noexcept { return Stairs(slope).at(k); }
+  /// Draws the line from `a` to `b`: `draw_line_by`.
+  template <SpanSink S>
+  Status operator()(S&& sink, linear::Point a, linear::Point b) const {
+    return draw_line_by<DistanceLine>(sink, a, b);
+  }
 };
 
-/// The book's line3, the default.
-struct ExactLine : DistanceLine {};
+/// The book's line3, the default: `draw_line`.
+struct ExactLine : DistanceLine {
+  using DistanceLine::operator();
+  template <SpanSink S>
+  Status operator()(S&& sink, linear::Point a, linear::Point b) const {
+    return draw_line(sink, a, b);
+  }
+};
 
 /// The rungs of lines.
 using LineFamily = number::Family<RoundedLine, SplitErrorLine, ExactLine, DistanceLine>;
@@ -227,9 +249,6 @@ void walk_stairs(Cursor cursor, Stairs stairs, int count) {
 
 }  // namespace detail
 
-/// Draws the line from `a` to `b`, both ends included, by a rung. Errors: out_of_domain point. Cost: a
-/// division, some hundred instructions where the line is clipped, and for each visible pixel what a step of
-/// the rung takes.
 template <LineRung Rung, SpanSink S>
 Status draw_line_by(S&& sink, linear::Point a, linear::Point b) {
   if constexpr (std::same_as<Rung, ExactLine>) {

@@ -4,11 +4,9 @@
 #pragma once
 
 #include <intaglio/linear/point.hpp>
-#include <intaglio/raster/convex.hpp>
-#include <intaglio/raster/solid.hpp>
+#include <intaglio/raster/polygon_rungs.hpp>
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <firmware/lab/families/polygon_fill.hpp>
 #include <firmware/lab/family.hpp>
@@ -17,21 +15,11 @@
 
 namespace lab {
 
-/// Edge functions at each pixel of the bounding box.
-struct EdgeFunctionFill {
-  static constexpr number::Bound bound = ScanlineFill::bound;
-  template <class S>
-  intaglio::Status operator()(const S& sink,
-                              std::span<const intaglio::linear::SubPoint> vertices) const noexcept {
-    return intaglio::raster::fill_convex(sink, vertices);
-  }
-};
-
 struct ConvexFill {
   static constexpr std::string_view name = "convex-fill";
   static constexpr std::string_view title = "Filling a convex polygon";
-  using Rungs = number::Family<ScanlineFill, CriticalPointsFill, EdgeFunctionFill, BasicFill>;
-  using Default = ScanlineFill;
+  using Rungs = intaglio::raster::ConvexFamily;
+  using Default = intaglio::raster::ScanlineFill;
   static constexpr Load loads[] = {{"octagons up to 20 pixels", 8}, {"octagons of 40 to 100 pixels", 3}};
 
   /// An octagon around a middle: corners cut off a rectangle.
@@ -68,8 +56,7 @@ struct ConvexFill {
   static Input input(int load, int i) noexcept { return {load, static_cast<std::uint32_t>(i + 1)}; }
   template <class R>
   static std::uint32_t run(const Input& polygon) noexcept {
-    const intaglio::raster::Solid<image::Indexed8> pen(canvas(), 1);
-    return R{}(pen, polygon.vertices()).ok() ? 1 : 0;
+    return fill_on_canvas<R>(polygon.vertices());
   }
 };
 

@@ -4,8 +4,8 @@
 #pragma once
 
 #include <intaglio/linear/point.hpp>
-#include <intaglio/number/long_division.hpp>
 #include <intaglio/raster/edge.hpp>
+#include <intaglio/raster/edge_rungs.hpp>
 
 #include <cstdint>
 #include <firmware/lab/family.hpp>
@@ -14,54 +14,11 @@
 
 namespace lab {
 
-using intaglio::linear::SubPoint;
-
-/// An edge whose column and slope have 16 fraction bits, for places within 2^13 pixels and edges of a pixel
-/// and more in height: so the slope has 30 bits. Each row adds the error of the slope: below 2^-16 pixel if
-/// rounded down, up to half of that if to nearest. The first adds up to two units of the last place.
-template <bool nearest>
-class FixedEdge {
- public:
-  void start(const SubPoint& top, const SubPoint& bottom, int row) noexcept {
-    const int height = bottom.y - top.y;
-    const std::int64_t across = std::int64_t{bottom.x - top.x} * one + (nearest ? height / 2 : 0);
-    // Below zero, ~across = -across - 1 is divided instead: floor(a / b) = ~floor(~a / b).
-    const std::int64_t sign = across >> 63U;
-    const auto quotient = intaglio::number::long_divide(static_cast<std::uint64_t>(across ^ sign),
-                                                        static_cast<unsigned>(height))
-                              .quotient;
-    const std::int64_t slope = std::int64_t{quotient} ^ sign;
-    const std::int64_t first = slope * (row * intaglio::linear::subpixel_one - top.y);
-    x_ = static_cast<std::uint32_t>(std::int64_t{top.x} * (one / intaglio::linear::subpixel_one) +
-                                    ((first + (nearest ? 128 : 0)) >> 8U));
-    slope_ = static_cast<std::uint32_t>(slope);
-  }
-  [[nodiscard]] int x() const noexcept { return static_cast<int>(x_ + (one - 1)) >> 16U; }
-  void next() noexcept { x_ += slope_; }
-
- private:
-  static constexpr int one = 1 << 16;
-  // Two's complement: past the last row of a level edge they may wrap.
-  std::uint32_t x_ = 0;
-  std::uint32_t slope_ = 0;
-};
-
-struct TruncatedSlope : FixedEdge<false> {
-  static constexpr number::Bound bound{1'000'000'000, number::Unit::wrong_ppm};
-};
-struct RoundedSlope : FixedEdge<true> {
-  static constexpr number::Bound bound{1'000'000'000, number::Unit::wrong_ppm};
-};
-/// Quotient and remainder: the library's.
-struct ExactEdge : intaglio::raster::Edge {
-  static constexpr number::Bound bound = number::exactly(number::Unit::wrong_ppm);
-};
-
 struct Edge {
   static constexpr std::string_view name = "edge";
   static constexpr std::string_view title = "Stepping an edge of a polygon from row to row";
-  using Rungs = number::Family<TruncatedSlope, RoundedSlope, ExactEdge>;
-  using Default = ExactEdge;
+  using Rungs = intaglio::raster::EdgeFamily;
+  using Default = intaglio::raster::ExactEdge;
   static constexpr Load loads[] = {{"240 rows, whole pixels", 32},
                                    {"240 rows, 1/16 pixel", 32},
                                    {"1024 rows, 1/256 pixel", 16},
@@ -71,8 +28,8 @@ struct Edge {
   static constexpr std::string_view per = "row";
 
   struct Input {
-    SubPoint top;
-    SubPoint bottom;
+    intaglio::linear::SubPoint top;
+    intaglio::linear::SubPoint bottom;
   };
   static constexpr int first_row(int y) noexcept { return intaglio::raster::ceil_to_pixel(y); }
   static int units(const Input& edge) noexcept { return first_row(edge.bottom.y) - first_row(edge.top.y); }
@@ -114,8 +71,8 @@ struct Edge {
     constexpr int truncated[] = {0, 62'800'000, 1'000'000'000, 143'000'000};
     constexpr int rounded[] = {334'000'000, 334'800'000, 1'000'000'000, 429'000'000};
     int ppm = 0;
-    if (std::is_same_v<R, TruncatedSlope>) ppm = truncated[load];
-    if (std::is_same_v<R, RoundedSlope>) ppm = rounded[load];
+    if (std::is_same_v<R, intaglio::raster::TruncatedSlope>) ppm = truncated[load];
+    if (std::is_same_v<R, intaglio::raster::RoundedSlope>) ppm = rounded[load];
     return {ppm, number::Unit::wrong_ppm};
   }
 };

@@ -6,60 +6,27 @@
 
 #include <intaglio/linear/point.hpp>
 #include <intaglio/linear/rect.hpp>
-#include <intaglio/raster/flood.hpp>
+#include <intaglio/raster/flood_rungs.hpp>
 #include <intaglio/raster/solid.hpp>
+#include <intaglio/status.hpp>
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <firmware/lab/family.hpp>
+#include <span>
 #include <string_view>
 
 namespace lab {
 
 using FloodPen = intaglio::raster::Solid<image::Indexed8>;
 
-/// The library's: a run of pixels at a time, 12 bytes for each place where the fill goes on.
-struct SpanFlood {
-  static constexpr number::Bound bound = number::exactly(number::Unit::wrong_pixel);
-  bool operator()(const FloodPen& pen, intaglio::linear::Point seed) const noexcept {
-    static std::array<intaglio::raster::FloodSpan, 256> workspace;
-    return intaglio::raster::flood_fill(pen, intaglio::raster::Connectivity::four, seed, workspace).ok();
-  }
-};
-
-/// The textbook's: the four neighbours of each pixel onto a stack, 4 bytes a pixel of the region at worst.
-struct PixelStackFlood {
-  static constexpr number::Bound bound = SpanFlood::bound;
-  bool operator()(const FloodPen& pen, intaglio::linear::Point seed) const noexcept {
-    struct Place {
-      std::int16_t x, y;
-    };
-    static std::array<Place, 8192> stack;
-    std::size_t height = 0;
-    const auto clip = pen.clip();
-    const auto visit = [&](int x, int y) {
-      if (x < clip.x || y < clip.y || x >= clip.right() || y >= clip.bottom()) return;
-      if (pen.surface().get(x, y) != 0) return;
-      pen.surface().set(x, y, pen.index());
-      stack[height++] = {static_cast<std::int16_t>(x), static_cast<std::int16_t>(y)};
-    };
-    visit(seed.x, seed.y);
-    while (height != 0) {
-      const auto [x, y] = stack[--height];
-      visit(x - 1, y);
-      visit(x + 1, y);
-      visit(x, y - 1);
-      visit(x, y + 1);
-    }
-    return true;
-  }
-};
-
-/// No memory: down and up over the whole window, as long as a pixel is found beside a filled one.
+/// No memory: down and up over the whole window, as long as a pixel is found beside a filled one. Not for
+/// programs: pixels that have the pen's index before are taken for filled ones.
 struct SweepFlood {
-  static constexpr number::Bound bound = SpanFlood::bound;
-  bool operator()(const FloodPen& pen, intaglio::linear::Point seed) const noexcept {
+  static constexpr number::Bound bound = intaglio::raster::SpanFlood::bound;
+  struct Cell {};
+  intaglio::Status operator()(const FloodPen& pen, intaglio::linear::Point seed,
+                              std::span<Cell> /*workspace*/) const noexcept {
     const auto clip = pen.clip();
     const auto surface = pen.surface();
     surface.set(seed.x, seed.y, pen.index());
@@ -80,15 +47,15 @@ struct SweepFlood {
         }
       }
     }
-    return true;
+    return {};
   }
 };
 
 struct FloodFill {
   static constexpr std::string_view name = "flood-fill";
   static constexpr std::string_view title = "Flood fill of a chamber of 80x60 pixels";
-  using Rungs = number::Family<SpanFlood, PixelStackFlood, SweepFlood>;
-  using Default = SpanFlood;
+  using Rungs = number::Family<intaglio::raster::SpanFlood, intaglio::raster::PixelStackFlood, SweepFlood>;
+  using Default = intaglio::raster::SpanFlood;
   static constexpr Load loads[] = {
       {"empty chambers", 2}, {"winding corridors", 2}, {"chambers strewn with dots", 2}};
 
@@ -125,7 +92,8 @@ struct FloodFill {
   }
   template <class R>
   static std::uint32_t run(const Input& in) noexcept {
-    return R{}(FloodPen(canvas(), 1, in.chamber), in.seed) ? 1 : 0;
+    static std::array<typename R::Cell, 8192> workspace;
+    return R{}(FloodPen(canvas(), 1, in.chamber), in.seed, workspace).ok() ? 1 : 0;
   }
 };
 

@@ -5,9 +5,7 @@
 // stay exact.
 #pragma once
 
-#include <intaglio/clip/boolean.hpp>
-#include <intaglio/clip/convex.hpp>
-#include <intaglio/clip/greiner_hormann.hpp>
+#include <intaglio/clip/polygon_rungs.hpp>
 #include <intaglio/linear/point.hpp>
 #include <intaglio/number/angle.hpp>
 #include <intaglio/number/sine.hpp>
@@ -59,74 +57,19 @@ class WindowAndPolygon {
   std::size_t count_ = 0;
 };
 
-/// The contours that are left: rounded or exact, whichever a rung makes.
+/// The contours that are left, in a rung's vertices.
+template <class R>
 struct ClippedContours {
-  std::span<const intaglio::linear::SubPoint> rounded;
-  std::span<const intaglio::clip::BooleanVertex> exact;
+  std::span<const typename R::Vertex> vertices;
   std::span<const int> lengths;
   bool ok = false;
-};
-
-/// Side by side.
-struct SutherlandHodgman {
-  /// Each new vertex is off by at most 1/512 pixel on each axis, so by 0.0028; along the boundary, up to 800
-  /// pixels here, that is 2.2 of area.
-  static constexpr number::Bound bound = number::pixels(2'200);
-  static constexpr std::string_view slack = "it adds up what all vertices may be off in one direction";
-  ClippedContours operator()(const WindowAndPolygon& input) const noexcept {
-    static std::array<intaglio::linear::SubPoint, 64> out;
-    static std::array<intaglio::clip::ClipStage, 8> stages;
-    static int length;
-    const auto left = intaglio::clip::clip_to_convex(input.polygon(), input.window(), out, stages);
-    if (!left.ok()) return {};
-    length = static_cast<int>(left.value().size());
-    return {left.value(), {}, {&length, 1}, true};
-  }
-};
-
-namespace detail {
-
-/// The combining functions of the library, called alike.
-template <class Node, auto combine>
-[[nodiscard]] ClippedContours intersection(const WindowAndPolygon& input) noexcept {
-  static std::array<intaglio::clip::BooleanVertex, 128> vertices;
-  static std::array<int, 32> lengths;
-  static std::array<Node, 256> workspace;
-  const int of_polygon = static_cast<int>(input.polygon().size());
-  const int of_window = static_cast<int>(input.window().size());
-  const auto made = combine(
-      intaglio::clip::BooleanRule::intersection, {input.polygon(), std::span<const int>(&of_polygon, 1)},
-      {input.window(), std::span<const int>(&of_window, 1)}, vertices, lengths, workspace);
-  if (!made.ok()) return {};
-  return {{},
-          std::span(vertices).first(made.value().vertices),
-          std::span(lengths).first(made.value().contours),
-          true};
-}
-
-}  // namespace detail
-
-/// Crossings found once, then walked; refuses operands that touch.
-struct GreinerHormann {
-  static constexpr number::Bound bound = number::exactly(number::Unit::pixel);
-  ClippedContours operator()(const WindowAndPolygon& input) const noexcept {
-    return detail::intersection<intaglio::clip::RingNode, intaglio::clip::combine_greiner_hormann>(input);
-  }
-};
-
-/// All edges cut at all contacts, the pieces told apart; takes whatever touches.
-struct CutAndClassify {
-  static constexpr number::Bound bound = number::exactly(number::Unit::pixel);
-  ClippedContours operator()(const WindowAndPolygon& input) const noexcept {
-    return detail::intersection<intaglio::clip::BooleanPiece, intaglio::clip::combine>(input);
-  }
 };
 
 struct PolygonClip {
   static constexpr std::string_view name = "polygon-clip";
   static constexpr std::string_view title = "Clipping a polygon to a convex window (area off, in pixels)";
-  using Rungs = number::Family<SutherlandHodgman, GreinerHormann, CutAndClassify>;
-  using Default = SutherlandHodgman;
+  using Rungs = intaglio::clip::PolygonClipFamily;
+  using Default = intaglio::clip::SutherlandHodgman;
   static constexpr Load loads[] = {{"6 vertices", 8}, {"32 vertices", 2}};
 
   using Input = WindowAndPolygon;
@@ -135,9 +78,30 @@ struct PolygonClip {
     return {vertices_of(load), static_cast<std::uint32_t>(i + 1)};
   }
   template <class R>
+  static ClippedContours<R> clipped(const Input& input) noexcept {
+    static std::array<typename R::Vertex, 128> vertices;
+    static std::array<int, 32> lengths;
+    static std::array<typename R::Cell, 256> workspace;
+    const auto made = R{}(input.polygon(), input.window(), vertices, lengths, workspace);
+    if (!made.ok()) return {};
+    return {std::span(vertices).first(made.value().vertices), std::span(lengths).first(made.value().contours),
+            true};
+  }
+  template <class R>
   static std::uint32_t run(const Input& input) noexcept {
-    const ClippedContours left = R{}(input);
-    return left.ok ? static_cast<std::uint32_t>(left.rounded.size() + left.exact.size()) : 0xFFFF'FFFFU;
+    const auto left = clipped<R>(input);
+    return left.ok ? static_cast<std::uint32_t>(left.vertices.size()) : 0xFFFF'FFFFU;
+  }
+
+  /// The area that rounding takes or adds: each new vertex is off by at most 1/512 pixel on each axis, so by
+  /// 0.0028; along the boundary, up to 800 pixels here, that is 2.2 of area.
+  template <class R>
+  static constexpr number::Bound bound(int /*load*/) noexcept {
+    return number::pixels(R::bound.exact() ? 0 : 2'200);
+  }
+  template <class R>
+  static constexpr std::string_view slack() noexcept {
+    return R::bound.exact() ? "" : "it adds up what all vertices may be off in one direction";
   }
 };
 

@@ -5,9 +5,7 @@
 #pragma once
 
 #include <intaglio/linear/point.hpp>
-#include <intaglio/raster/polygon.hpp>
-#include <intaglio/raster/polygon_basic.hpp>
-#include <intaglio/raster/polygon_critical.hpp>
+#include <intaglio/raster/polygon_rungs.hpp>
 #include <intaglio/raster/solid.hpp>
 
 #include <array>
@@ -19,48 +17,19 @@
 
 namespace lab {
 
-/// An edge table and an active edge table.
-struct ScanlineFill {
-  static constexpr number::Bound bound = number::exactly(number::Unit::wrong_pixel);
-  template <class S>
-  intaglio::Status operator()(const S& sink,
-                              std::span<const intaglio::linear::SubPoint> vertices) const noexcept {
-    static std::array<intaglio::raster::PolygonEdge, 128> edges;
-    return intaglio::raster::fill_polygon(sink, intaglio::raster::FillRule::even_odd, vertices, edges);
-  }
-};
-
-/// Chains of edges from each local minimum.
-struct CriticalPointsFill {
-  static constexpr number::Bound bound = ScanlineFill::bound;
-  template <class S>
-  intaglio::Status operator()(const S& sink,
-                              std::span<const intaglio::linear::SubPoint> vertices) const noexcept {
-    static std::array<intaglio::raster::PolygonChain, 128> chains;
-    const int length = static_cast<int>(vertices.size());
-    return intaglio::raster::fill_polygon_critical(sink, intaglio::raster::FillRule::even_odd, vertices,
-                                                   std::span<const int>(&length, 1), chains);
-  }
-};
-
-/// All crossings of each row, reckoned anew and sorted.
-struct BasicFill {
-  static constexpr number::Bound bound = ScanlineFill::bound;
-  template <class S>
-  intaglio::Status operator()(const S& sink,
-                              std::span<const intaglio::linear::SubPoint> vertices) const noexcept {
-    static std::array<intaglio::raster::PolygonCrossing, 128> crossings;
-    const int length = static_cast<int>(vertices.size());
-    return intaglio::raster::fill_polygon_basic(sink, intaglio::raster::FillRule::even_odd, vertices,
-                                                std::span<const int>(&length, 1), crossings);
-  }
-};
+/// Fills a polygon on the canvas by a rung; 1 if it could.
+template <class R>
+[[nodiscard]] std::uint32_t fill_on_canvas(std::span<const intaglio::linear::SubPoint> vertices) noexcept {
+  static std::array<typename R::Cell, 128> workspace;
+  const intaglio::raster::Solid<image::Indexed8> pen(canvas(), 1);
+  return R{}(pen, intaglio::raster::FillRule::even_odd, vertices, workspace).ok() ? 1 : 0;
+}
 
 struct PolygonFill {
   static constexpr std::string_view name = "polygon-fill";
   static constexpr std::string_view title = "Filling a polygon";
-  using Rungs = number::Family<ScanlineFill, CriticalPointsFill, BasicFill>;
-  using Default = ScanlineFill;
+  using Rungs = intaglio::raster::PolygonFamily;
+  using Default = intaglio::raster::ScanlineFill;
   static constexpr Load loads[] = {
       {"triangles to pentagons", 16}, {"hands and needles", 16}, {"100 vertices at random", 2}};
 
@@ -98,8 +67,7 @@ struct PolygonFill {
   static Input input(int load, int i) noexcept { return {load, static_cast<std::uint32_t>(i + 1)}; }
   template <class R>
   static std::uint32_t run(const Input& polygon) noexcept {
-    const intaglio::raster::Solid<image::Indexed8> pen(canvas(), 1);
-    return R{}(pen, polygon.vertices()).ok() ? 1 : 0;
+    return fill_on_canvas<R>(polygon.vertices());
   }
 };
 

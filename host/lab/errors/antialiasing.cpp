@@ -43,7 +43,7 @@ struct AntialiasingErrors {
   static long double error(int load, const Case& c) {
     const auto in = Family::triangle(load, static_cast<std::uint32_t>(c[0]));
     LevelMap map(in.box);
-    if (!R{}(map, in.triangle)) return 255;
+    if (!Family::draw<R>(map, in.triangle)) return 255;
     const oracle::Contours contours{{in.triangle.begin(), in.triangle.end()}};
     long double worst = 0;
     for (int y = in.box.y; y < in.box.bottom(); ++y) {
@@ -67,7 +67,7 @@ struct AntialiasingErrors {
 
  private:
   /// How many edges' lines go through the inside of a pixel.
-  static int edges_through(const lab::Vertices& t, int x, int y) {
+  static int edges_through(const lab::raster::TriangleCorners& t, int x, int y) {
     int count = 0;
     for (std::size_t i = 0; i < 3; ++i) {
       const auto a = t[i];

@@ -59,7 +59,7 @@ struct LineClipErrors {
     const SubPoint b{static_cast<int>(c[2]), static_cast<int>(c[3])};
     const auto& window = Family::window;
     const auto part = oracle::inside_part(a, b, window.x, window.y, window.right(), window.bottom());
-    const lab::ClippedEnds ends = R{}(a, b, window);
+    const auto ends = R{}(a, b, window).value();
     const auto place = [&](std::int64_t n, std::int64_t d) {
       const long double t = static_cast<long double>(n) / static_cast<long double>(d);
       return std::array<long double, 2>{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};

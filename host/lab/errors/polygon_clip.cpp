@@ -4,6 +4,7 @@
 #include <host/lab/errors/report.hpp>
 #include <tests/oracle/boolean.hpp>
 
+#include <array>
 #include <cmath>
 #include <firmware/lab/families/polygon_clip.hpp>
 
@@ -16,22 +17,24 @@ mpq_class exact_area(const lab::WindowAndPolygon& input) {
                                [](bool in_polygon, bool in_window) { return in_polygon && in_window; });
 }
 
-mpq_class area_of(const lab::ClippedContours& left) {
+std::array<mpq_class, 2> place(const intaglio::linear::SubPoint& v) { return {v.x, v.y}; }
+std::array<mpq_class, 2> place(const intaglio::clip::BooleanVertex& v) {
+  mpq_class x(v.x, v.denominator);
+  mpq_class y(v.y, v.denominator);
+  x.canonicalize();
+  y.canonicalize();
+  return {x, y};
+}
+
+template <class R>
+mpq_class area_of(const lab::ClippedContours<R>& left) {
   oracle::RationalContours contours;
   std::size_t begin = 0;
   for (const int length : left.lengths) {
     contours.emplace_back();
-    for (std::size_t i = begin; i < begin + static_cast<std::size_t>(length); ++i) {
-      if (left.exact.empty()) {
-        contours.back().push_back({left.rounded[i].x, left.rounded[i].y});
-      } else {
-        const auto& v = left.exact[i];
-        mpq_class x(v.x, v.denominator);
-        mpq_class y(v.y, v.denominator);
-        x.canonicalize();
-        y.canonicalize();
-        contours.back().push_back({x, y});
-      }
+    for (const auto& vertex : left.vertices.subspan(begin, static_cast<std::size_t>(length))) {
+      const auto [x, y] = place(vertex);
+      contours.back().push_back({x, y});
     }
     begin += static_cast<std::size_t>(length);
   }
@@ -74,9 +77,9 @@ struct PolygonClipErrors {
   template <class R>
   static long double error(int load, const Case& c) {
     const Family::Input input(Family::vertices_of(load), static_cast<std::uint32_t>(c[0]));
-    const lab::ClippedContours left = R{}(input);
+    const auto left = Family::clipped<R>(input);
     // Greiner and Hormann's walk may refuse operands that touch, and no others.
-    if (!left.ok) return std::is_same_v<R, lab::GreinerHormann> && touch(input) ? 0 : 1e6L;
+    if (!left.ok) return std::is_same_v<R, intaglio::clip::GreinerHormann> && touch(input) ? 0 : 1e6L;
     const mpq_class off = area_of(left) - exact_area(input);
     return std::fabs(static_cast<long double>(off.get_d())) / 65536;
   }

@@ -131,7 +131,7 @@ template <class E, class R>
   using F = typename E::Family;
   RungReport rung;
   rung.name = number::type_name<R>();
-  if constexpr (requires { R::slack; }) rung.slack = R::slack;
+  rung.slack = slack<F, R>();
   for (int load = 0; load < static_cast<int>(std::size(F::loads)); ++load) {
     rung.bounds.push_back(bound<F, R>(load));
   }

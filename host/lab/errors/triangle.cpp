@@ -51,14 +51,15 @@ struct TriangleErrors {
 
   template <class R>
   static long double error(int /*load*/, const Case& c) {
-    lab::Corners corners;
+    Family::Input corners;
     for (std::size_t i = 0; i < 3; ++i)
       corners[i] = {static_cast<int>(c[2 * i]), static_cast<int>(c[2 * i + 1])};
     const intaglio::linear::Rect window{0, 0, 320, 240};
     // Rows have one span each, or none.
     static std::array<std::pair<int, int>, 240> rows;
     rows.fill({0, 0});
-    if (!R{}(Rows{window, rows.data()}, corners)) return window.width * window.height;
+    if (!R{}(Rows{window, rows.data()}, corners[0], corners[1], corners[2]).ok())
+      return window.width * window.height;
     int wrong = 0;
     std::array<std::pair<int, int>, 240> expected{};
     for (const auto& span : oracle::triangle_spans(corners[0], corners[1], corners[2], window))

@@ -25,11 +25,14 @@ PanelSpec rgb_lcd(std::string name, std::string description, int width, int heig
   spec.name = std::move(name);
   spec.description = std::move(description);
   spec.capabilities.palette_bits = palette_bits;
+  spec.effects.depth = {{palette_bits, palette_bits, palette_bits}};
+  spec.effects.response = {12'000'000, 8'000'000};
   return spec;
 }
 
+/// An OLED answers in microseconds, and its pixels are of one colour.
 PanelSpec oled(std::string name, std::string description, int width, int height, int bits, int x_alignment,
-               int y_alignment) {
+               int y_alignment, const BusTiming& bus) {
   PanelSpec spec;
   spec.name = std::move(name);
   spec.description = std::move(description);
@@ -40,19 +43,27 @@ PanelSpec oled(std::string name, std::string description, int width, int height,
                        .y_alignment = y_alignment};
   spec.fixed_colours = greys(1 << bits);
   spec.total_lines = with_blanking(height);
+  spec.effects.bus = bus;
+  spec.effects.depth = {{bits, bits, bits}};
+  spec.effects.response = {10'000, 10'000};
+  spec.effects.grid = {6, Stripes::none};
   return spec;
 }
 
 std::vector<PanelSpec> make_catalog() {
+  // A window of an SSD0323 is two commands of three bytes; a page of an SSD1306 three commands, each behind a
+  // control byte, and the address in front of every transaction.
+  constexpr BusTiming spi{.hertz = 4'000'000, .command_bytes = 6, .gap = 2'000};
+  constexpr BusTiming i2c{.hertz = 400'000, .clocks_per_byte = 9, .command_bytes = 6, .gap = 5'000};
   std::vector<PanelSpec> panels;
   panels.push_back(
       rgb_lcd("clcd", "PL110 colour LCD, 256 of 32768 colours, double buffered", 320, 240, 8, 5));
   panels.push_back(rgb_lcd("clcd4", "the same with 16 colours", 320, 240, 4, 5));
   panels.push_back(rgb_lcd("clcd1", "the same with 2 colours", 320, 240, 1, 5));
   panels.push_back(rgb_lcd("vga", "256 of 16.7 million colours, double buffered", 640, 480, 8, 8));
-  panels.push_back(oled("oled", "SSD0323 OLED behind SSI, 16 greys", 128, 64, 4, 2, 1));
-  panels.push_back(oled("ssd1306", "SSD1306 OLED behind I2C or SPI, white on black", 128, 64, 1, 8, 8));
-  panels.push_back(oled("ssd0303", "SSD0303 OLED behind I2C, white on black", 96, 16, 1, 8, 8));
+  panels.push_back(oled("oled", "SSD0323 OLED behind SSI, 16 greys", 128, 64, 4, 2, 1, spi));
+  panels.push_back(oled("ssd1306", "SSD1306 OLED behind I2C or SPI, white on black", 128, 64, 1, 8, 8, i2c));
+  panels.push_back(oled("ssd0303", "SSD0303 OLED behind I2C, white on black", 96, 16, 1, 8, 8, i2c));
   return panels;
 }
 

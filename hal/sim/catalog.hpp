@@ -4,6 +4,7 @@
 #pragma once
 
 #include <hal/panel.hpp>
+#include <hal/sim/effects/effects.hpp>
 
 #include <optional>
 #include <span>
@@ -31,6 +32,8 @@ struct PanelSpec {
   /// Bytes between the end of a row of a frame buffer and the start of the next.
   int row_padding = 0;
   Latch latch = Latch::at_vblank;
+  /// What the effects are on this panel, where a scenario names them without a value.
+  EffectTable effects{};
 };
 
 /// All named panels.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <hal/sim/pixels.hpp>
+#include <hal/sim/effects/scan.hpp>
 #include <hal/sim/tearing.hpp>
 
 #include <algorithm>
@@ -21,15 +21,17 @@ std::string to_text(const Tear& tear) {
   const auto part = [](std::optional<std::uint32_t> frame) {
     return frame ? "frame " + std::to_string(*frame) : std::string("an unfinished picture");
   };
-  std::string text = "refresh " + std::to_string(tear.refresh) + ", line " + std::to_string(tear.line) + ": ";
+  const bool columns = by_columns(tear.scan);
+  const bool backwards = tear.scan == ScanDirection::up || tear.scan == ScanDirection::left;
+  std::string text = "refresh " + std::to_string(tear.refresh) + (columns ? ", column " : ", line ") +
+                     std::to_string(tear.line) + ": ";
   if (tear.kind == Tear::Kind::palette) return text + "the palette of " + part(tear.above) + " changed";
-  return text + part(tear.above) + " above, " + part(tear.below) + " below";
+  return text + part(backwards ? tear.below : tear.above) + (columns ? " on the left, " : " above, ") +
+         part(backwards ? tear.above : tear.below) + (columns ? " on the right" : " below");
 }
 
 TearingDetector::TearingDetector(Panel& panel)
-    : panel_(&panel),
-      row_bytes_(static_cast<std::size_t>(
-          row_bytes(panel.capabilities().width, panel.capabilities().bits_per_pixel))) {
+    : panel_(&panel), line_bytes_(static_cast<std::size_t>(line_bytes(panel.capabilities()))) {
   panel.attach(*this);
 }
 
@@ -46,7 +48,7 @@ std::uint64_t TearingDetector::torn_refreshes() {
 }
 
 void TearingDetector::on_line(const ScannedLine& line) {
-  if (line.y == 0) current_.emplace(Refresh{line.refresh, {}, {}, {}});
+  if (line.line == 0) current_.emplace(Refresh{line.refresh, {}, {}, {}});
   if (!current_) return;  // Attached in the middle of a picture.
   Refresh& refresh = *current_;
   refresh.pixels.insert(refresh.pixels.end(), line.pixels.begin(), line.pixels.end());
@@ -65,11 +67,11 @@ void TearingDetector::on_vblank(std::uint64_t, Nanoseconds) {
 
 void TearingDetector::on_presented(const PresentedFrame& frame) {
   Version version{frame.number, {}, {frame.palette.begin(), frame.palette.end()}};
-  const int height = panel_->capabilities().height;
-  for (int y = 0; y < height; ++y) {
-    const auto first = static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.stride);
-    const auto row = frame.pixels.subspan(first, row_bytes_);
-    version.pixels.insert(version.pixels.end(), row.begin(), row.end());
+  const Capabilities& c = panel_->capabilities();
+  std::vector<std::uint8_t> column;
+  for (int i = 0; i < lines_of(c); ++i) {
+    const auto line = line_pixels(c, frame.pixels, frame.stride, i, column);
+    version.pixels.insert(version.pixels.end(), line.begin(), line.end());
   }
   versions_.push_back(std::move(version));
   judge_waiting();
@@ -83,8 +85,8 @@ bool TearingDetector::whole(const Refresh& refresh) const {
 }
 
 bool TearingDetector::same_pixels(const Refresh& refresh, const Version& version, int line) const {
-  const auto first = static_cast<std::ptrdiff_t>(line) * static_cast<std::ptrdiff_t>(row_bytes_);
-  const auto end = first + static_cast<std::ptrdiff_t>(row_bytes_);
+  const auto first = static_cast<std::ptrdiff_t>(line) * static_cast<std::ptrdiff_t>(line_bytes_);
+  const auto end = first + static_cast<std::ptrdiff_t>(line_bytes_);
   return std::equal(refresh.pixels.begin() + first, refresh.pixels.begin() + end,
                     version.pixels.begin() + first);
 }
@@ -112,6 +114,7 @@ void TearingDetector::report(const Refresh& refresh) {
   const auto frame_of = [](const Versions& versions) {
     return versions.empty() ? std::nullopt : std::optional(versions.back()->frame);
   };
+  const Capabilities& c = panel_->capabilities();
   Versions all;
   for (const Version& version : versions_) all.push_back(&version);
 
@@ -125,7 +128,7 @@ void TearingDetector::report(const Refresh& refresh) {
       continue;
     }
     const Versions here = unfinished ? next : matching(line, all);
-    Tear tear{refresh.number, line, frame_of(part), frame_of(here), Tear::Kind::frames};
+    Tear tear{refresh.number, place_of(c, line), frame_of(part), frame_of(here), Tear::Kind::frames, c.scan};
     const bool other_colours = std::ranges::any_of(
         part, [&](const Version* version) { return same_pixels(refresh, *version, line); });
     if (other_colours) {
@@ -139,7 +142,8 @@ void TearingDetector::report(const Refresh& refresh) {
   }
   // From the first line to the last one unfinished picture.
   if (tears_.size() == reported)
-    tears_.push_back({refresh.number, 0, std::nullopt, std::nullopt, Tear::Kind::drawing});
+    tears_.push_back(
+        {refresh.number, place_of(c, 0), std::nullopt, std::nullopt, Tear::Kind::drawing, c.scan});
 }
 
 }  // namespace hal::sim

@@ -21,8 +21,8 @@
 
 namespace hal::sim {
 
-/// Two frames met in one refresh. `above` and `below` are their numbers (0: what was there at the start);
-/// none: lines that belong to no presented frame.
+/// Two frames met in one refresh. `above` and `below`, as the beam goes, are their numbers (0: what was there
+/// at the start); none: lines that belong to no presented frame.
 struct Tear {
   enum class Kind : std::uint8_t {
     frames,   ///< Lines of different frames.
@@ -30,14 +30,16 @@ struct Tear {
     palette,  ///< The same frame in different colours.
   };
   std::uint64_t refresh = 0;
-  int line = 0;  ///< The first line of the lower part.
+  int line = 0;  ///< The first row of the later part; the first column where the beam goes by columns.
   std::optional<std::uint32_t> above;
   std::optional<std::uint32_t> below;
   Kind kind = Kind::frames;
+  ScanDirection scan = ScanDirection::down;
   friend bool operator==(const Tear&, const Tear&) = default;
 };
 
-/// As in "refresh 12, line 97: frame 11 above, frame 12 below".
+/// As in "refresh 12, line 97: frame 11 above, frame 12 below"; by columns "column 9: frame 11 on the left,
+/// ...".
 [[nodiscard]] std::string to_text(const Tear& tear);
 
 /// Watches a panel from its next whole refresh on. Must die before the panel.
@@ -59,7 +61,7 @@ class TearingDetector final : public Observer {
   /// What a presented frame looks like.
   struct Version {
     std::uint32_t frame = 0;
-    std::vector<std::uint8_t> pixels;  // Rows close together.
+    std::vector<std::uint8_t> pixels;  // As the beam fetches it, lines close together.
     std::vector<std::uint8_t> palette;
   };
   /// What one refresh looked like.
@@ -81,7 +83,7 @@ class TearingDetector final : public Observer {
   void report(const Refresh& refresh);
 
   Panel* panel_;
-  std::size_t row_bytes_;
+  std::size_t line_bytes_;
   std::deque<Version> versions_;  // The latest last.
   std::optional<Refresh> current_;
   std::deque<Refresh> waiting_;  // Not whole yet: the frame they belong to may still be in work.

@@ -24,6 +24,12 @@ std::variant<Options, int> parse_command_line(int argc, const char* const* argv)
   app.add_option("--png", options.png, "Write the last frame to this file");
   app.add_option("--apng", options.animation,
                  "Write the animation to this file (default: PROGRAM.png in the working folder)");
+  app.add_option(
+      "--effects", options.effects,
+      "What the panel does to a picture, as bus,te,tearing,response=8ms,dead=12:7 (--list names them)");
+  app.add_option("--trace", options.trace,
+                 "Write what happened when to this file, for chrome://tracing or Perfetto");
+  app.add_flag("--explain", options.explain, "Say why frames were torn, late or dropped");
   app.add_flag("--digest", options.digest, "Print a line `frame N crc32 HEX` a frame, and nothing else");
   CLI::Option* const window = app.add_flag("--window", options.window, "Show a window");
   app.add_flag("--terminal", options.terminal, "Show a preview on the terminal")->excludes(window);
@@ -44,6 +50,8 @@ std::variant<Options, int> parse_command_line(int argc, const char* const* argv)
     if (means_attached(options.attach)) {
       if (options.window || options.terminal || options.png || options.animation)
         throw CLI::ValidationError("--window, --terminal, --png and --apng are for simulated panels");
+      if (!options.effects.empty() || options.trace || options.explain)
+        throw CLI::ValidationError("--effects, --trace and --explain are for simulated panels");
     } else if (options.report) {
       throw CLI::ValidationError("--report is for real panels");
     }

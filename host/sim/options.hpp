@@ -20,6 +20,9 @@ struct Options {
   int frames_per_second = 60;            ///< 1..1000
   std::optional<std::string> png;        ///< Where the last frame goes.
   std::optional<std::string> animation;  ///< Where all frames go.
+  std::string effects;                   ///< What the panel does to a picture; empty: it is ideal.
+  std::optional<std::string> trace;      ///< Where the record of what happened when goes.
+  bool explain = false;
   bool digest = false;
   bool window = false;
   bool terminal = false;

@@ -19,11 +19,15 @@ namespace host {
 /// Told when a frame is on display, with its digest; false ends the run.
 using OnFrame = std::function<bool(std::uint32_t frame, std::uint32_t digest)>;
 
+/// Told when the drawing of a frame, or of a band of it, begins and when it ends.
+using OnDraw = std::function<void(std::uint32_t frame, bool begins)>;
+
 struct Program {
   std::string_view name;
   std::string_view description;
   /// Runs `frames` frames, one every `interval` VBLANKs.
-  intaglio::Status (*run)(hal::Panel& panel, int interval, std::uint32_t frames, const OnFrame& on_frame);
+  intaglio::Status (*run)(hal::Panel& panel, int interval, std::uint32_t frames, const OnFrame& on_frame,
+                          const OnDraw& on_draw);
 };
 
 /// All programs, those a user is most likely to want first.
@@ -31,11 +35,37 @@ struct Program {
 /// The program of that name, or null.
 [[nodiscard]] const Program* find_program(std::string_view name);
 
+/// A program whose drawing is watched.
+template <class App>
+class Watched {
+ public:
+  Watched(const intaglio::present::ScreenInfo& screen, const OnDraw& on_draw)
+      : app_(screen), on_draw_(&on_draw) {}
+
+  void update(std::uint32_t frame) {
+    frame_ = frame;
+    app_.update(frame);
+  }
+  [[nodiscard]] std::span<const std::uint8_t> palette() const { return app_.palette(); }
+  template <class Surface>
+  intaglio::Status draw(Surface target) const {
+    if (*on_draw_) (*on_draw_)(frame_, true);
+    const intaglio::Status status = app_.draw(target);
+    if (*on_draw_) (*on_draw_)(frame_, false);
+    return status;
+  }
+
+ private:
+  App app_;
+  const OnDraw* on_draw_;
+  std::uint32_t frame_ = 0;
+};
+
 /// `Program::run` for panels of one pixel format.
 template <class App, intaglio::image::PixelFormat F>
-intaglio::Status run_in_format(hal::Panel& panel, int interval, std::uint32_t frames,
-                               const OnFrame& on_frame) {
-  App app(intaglio::present::screen_info(panel.capabilities()));
+intaglio::Status run_in_format(hal::Panel& panel, int interval, std::uint32_t frames, const OnFrame& on_frame,
+                               const OnDraw& on_draw) {
+  Watched<App> app(intaglio::present::screen_info(panel.capabilities()), on_draw);
   if (panel.capabilities().buffers > 0) {
     intaglio::present::SwapChain<F> screen(panel, interval);
     return intaglio::present::run(app, screen, frames, on_frame);
@@ -49,10 +79,12 @@ intaglio::Status run_in_format(hal::Panel& panel, int interval, std::uint32_t fr
 
 /// `Program::run` of a class template over the pixel format.
 template <template <intaglio::image::PixelFormat> class App>
-intaglio::Status run_on_panel(hal::Panel& panel, int interval, std::uint32_t frames,
-                              const OnFrame& on_frame) {
+intaglio::Status run_on_panel(hal::Panel& panel, int interval, std::uint32_t frames, const OnFrame& on_frame,
+                              const OnDraw& on_draw) {
   namespace image = intaglio::image;
-  const auto run = [&]<class F>(F) { return run_in_format<App<F>, F>(panel, interval, frames, on_frame); };
+  const auto run = [&]<class F>(F) {
+    return run_in_format<App<F>, F>(panel, interval, frames, on_frame, on_draw);
+  };
   const bool lsb = panel.capabilities().bit_order == hal::BitOrder::lsb_first;
   switch (panel.capabilities().bits_per_pixel) {
     case 1:

@@ -39,7 +39,7 @@ void run_on_real_panel(const Options& options) {
     return !interrupted();
   };
   const std::uint32_t frames = options.frames.value_or(std::numeric_limits<std::uint32_t>::max());
-  const intaglio::Status status = program.run(panel, interval, frames, on_frame);
+  const intaglio::Status status = program.run(panel, interval, frames, on_frame, {});
   tell();
   const std::string counters = panel.counters() + attached->counters();
   if (options.report && !(std::ofstream(*options.report) << counters).flush())

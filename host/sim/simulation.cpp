@@ -2,12 +2,18 @@
 //
 // The simulated time of the panel runs as fast as it can; where someone looks on, frames are held back to the
 // rate that was asked for. Digests and files don't depend on that.
+#include <hal/sim/effects/draw.hpp>
+#include <hal/sim/effects/glass.hpp>
+#include <hal/sim/effects/parse.hpp>
 #include <hal/sim/tearing.hpp>
 #include <host/attach/interruption.hpp>
 #include <host/failure.hpp>
 #include <host/sim/apng.hpp>
+#include <host/sim/explain.hpp>
 #include <host/sim/program.hpp>
 #include <host/sim/simulation.hpp>
+#include <host/sim/timeline.hpp>
+#include <host/sim/trace.hpp>
 #include <host/sim/viewer.hpp>
 #include <intaglio/status_text.hpp>
 
@@ -41,9 +47,16 @@ hal::sim::PanelSpec panel_of(const Options& options) {
   return *spec;
 }
 
-std::unique_ptr<Viewer> viewer_of(const Options& options, const hal::Capabilities& panel) {
+hal::sim::Effects effects_of(const Options& options, const hal::sim::PanelSpec& panel) {
+  const auto parsed = hal::sim::parse_effects(options.effects, panel);
+  if (const std::string* const wrong = std::get_if<std::string>(&parsed))
+    throw Failure("--effects: " + *wrong + "; intaglio-sim --list names them");
+  return std::get<hal::sim::Effects>(parsed);
+}
+
+std::unique_ptr<Viewer> viewer_of(const Options& options, const hal::sim::Glass& glass) {
   if (options.window || (!options.terminal && !options.digest && window_possible()))
-    return open_window("Intaglio: " + options.program, panel.width, panel.height, options.scale);
+    return open_window("Intaglio: " + options.program, glass.width(), glass.height(), options.scale);
   if (options.terminal || (!options.digest && terminal_possible())) return open_terminal();
   return nullptr;
 }
@@ -58,17 +71,26 @@ class Simulation {
   explicit Simulation(const Options& options)
       : options_(options),
         program_(program_of(options)),
-        panel_(panel_of(options), clock_),
+        effects_(effects_of(options, panel_of(options))),
+        panel_(panel_of(options), clock_, effects_),
+        glass_(panel_, effects_),
+        interval_(interval_of(options, panel_.capabilities())),
         animation_path_(animation_path(options)) {
-    const hal::Capabilities& c = panel_.capabilities();
-    if (c.buffers > 0) tearing_.emplace(panel_);
+    if (panel_.capabilities().buffers > 0 || effects_.tearing || options.explain || options.trace)
+      tearing_.emplace(panel_);
+    if (options.explain || options.trace) timeline_.emplace(panel_, clock_, interval_);
+    if (glass_.by_refresh()) glass_.on_refresh([this] { take_picture(); });
+    pictures_per_second_ = options.frames_per_second;
+    if (glass_.by_refresh())
+      pictures_per_second_ = static_cast<int>((panel_.capabilities().refresh_millihertz + 500U) / 1000U);
     // Files first: a path that can't be written is said before a window opens.
     if (!animation_path_.empty())
-      animation_ =
-          std::make_unique<ApngWriter>(animation_path_, c.width, c.height, options.frames_per_second);
+      animation_ = std::make_unique<ApngWriter>(animation_path_, glass_.width(), glass_.height(),
+                                                pictures_per_second_);
     if (options.png)
-      still_ = std::make_unique<ApngWriter>(*options.png, c.width, c.height, options.frames_per_second);
-    viewer_ = viewer_of(options, c);
+      still_ =
+          std::make_unique<ApngWriter>(*options.png, glass_.width(), glass_.height(), pictures_per_second_);
+    viewer_ = viewer_of(options, glass_);
     endless_ = viewer_ && !options.frames;
     frames_ =
         options.frames.value_or(endless_ ? std::numeric_limits<std::uint32_t>::max() : unattended_frames);
@@ -78,39 +100,47 @@ class Simulation {
   void run() {
     watch_for_interruption(SecondSignal::ends_at_once);
     start_ = std::chrono::steady_clock::now();
-    const intaglio::Status status =
-        program_.run(panel_, interval_of(options_, panel_.capabilities()), frames_,
-                     [this](std::uint32_t frame, std::uint32_t digest) { return on_frame(frame, digest); });
+    const intaglio::Status status = program_.run(
+        panel_, interval_, frames_,
+        [this](std::uint32_t frame, std::uint32_t digest) { return on_frame(frame, digest); },
+        [this](std::uint32_t frame, bool begins) { on_draw(frame, begins); });
+    // Until the last frame has been seen in a whole refresh.
+    if (glass_.by_refresh() || timeline_) clock_.advance(2U * panel_.frame_time());
     viewer_.reset();
     if (show_progress_) fmt::print(stderr, "\r\x1b[K");
     if (!status.ok())
       throw Failure(fmt::format("{} failed: {} {}", options_.program, intaglio::to_text(status.argument()),
                                 intaglio::to_text(status.error())));
-    report_tearing();
+    report();
     finish_files();
   }
 
  private:
   bool on_frame(std::uint32_t frame, std::uint32_t digest) {
     if (options_.digest) fmt::print("frame {} crc32 {:08x}\n", frame, digest);
-    ++shown_;
-    const bool recording = animation_ && (!endless_ || frame < longest_recording);
-    if (recording || viewer_ || still_) {
-      take_picture();
-      if (recording) animation_->add(picture_);
-    }
+    if (panel_.capabilities().buffers == 0) panel_.mark_frame();
+    if (!glass_.by_refresh()) take_picture();
     if (show_progress_) fmt::print(stderr, "\rrecording frame {} of {}", frame + 1, frames_);
-    if (interrupted()) return false;
-    if (!viewer_) return true;
-    const bool go_on = viewer_->show(picture_);
-    std::this_thread::sleep_until(
-        start_ + std::chrono::nanoseconds(1'000'000'000LL * (frame + 1LL) / options_.frames_per_second));
-    return go_on;
+    return !interrupted() && !closed_;
+  }
+
+  void on_draw(std::uint32_t frame, bool begins) {
+    if (begins) {
+      if (timeline_) timeline_->draw_begins(frame);
+      return;
+    }
+    if (effects_.draw) clock_.advance(hal::sim::draw_time(*effects_.draw, frame));
+    if (timeline_) timeline_->draw_ends();
   }
 
   /// Says what a viewer would have seen amiss.
-  void report_tearing() {
+  void report() {
     if (!tearing_) return;
+    if (options_.trace) write_trace(*options_.trace, *timeline_, tearing_->tears());
+    if (options_.explain) {
+      fmt::print(options_.digest ? stderr : stdout, "{}", explain(*timeline_, tearing_->tears()));
+      return;
+    }
     constexpr std::size_t most = 5;
     const std::vector<hal::sim::Tear>& tears = tearing_->tears();
     for (std::size_t i = 0; i < std::min(tears.size(), most); ++i)
@@ -118,11 +148,21 @@ class Simulation {
     if (tears.size() > most) fmt::print(stderr, "... and {} more\n", tears.size() - most);
   }
 
+  /// A frame, or a refresh where the glass shows those, goes to whoever looks on and into the files.
   void take_picture() {
-    hal::sim::Picture displayed = panel_.displayed();
-    picture_.width = displayed.width;
-    picture_.height = displayed.height;
-    picture_.bytes = std::move(displayed.rgb);
+    const bool recording = animation_ && (!endless_ || pictures_ < longest_recording);
+    if (!recording && !viewer_ && !still_) return;
+    hal::sim::View view = glass_.look();
+    picture_.width = view.width;
+    picture_.height = view.height;
+    picture_.bytes = std::move(view.rgb);
+    ++pictures_;
+    if (recording) animation_->add(picture_);
+    if (!viewer_ || closed_) return;
+    closed_ = !viewer_->show(picture_);
+    std::this_thread::sleep_until(
+        start_ + std::chrono::nanoseconds(1'000'000'000LL * static_cast<std::int64_t>(pictures_) /
+                                          pictures_per_second_));
   }
 
   void finish_files() {
@@ -135,18 +175,23 @@ class Simulation {
     if (still_) fmt::print("Last picture: {}\n", *options_.png);
     if (!animation_) return;
     const std::uint32_t recorded = animation_->frames();
+    const std::string_view what = glass_.by_refresh() ? "refreshes" : "frames";
     fmt::print("Animated picture of {}: {}\n",
-               recorded == shown_ ? fmt::format("{} frames", recorded)
-                                  : fmt::format("the first {} of {} frames", recorded, shown_),
+               recorded == pictures_ ? fmt::format("{} {}", recorded, what)
+                                     : fmt::format("the first {} of {} {}", recorded, pictures_, what),
                animation_path_);
   }
 
   const Options& options_;
   const Program& program_;
   hal::sim::VirtualClock clock_;
+  hal::sim::Effects effects_;
   hal::sim::Panel panel_;
-  /// A write panel tears by its nature: it shows what has arrived.
+  hal::sim::Glass glass_;
+  int interval_;
+  /// A write panel tears by its nature: it shows what has arrived. It is watched only if asked for.
   std::optional<hal::sim::TearingDetector> tearing_;
+  std::optional<Timeline> timeline_;
   std::string animation_path_;
   std::unique_ptr<ApngWriter> animation_;
   std::unique_ptr<ApngWriter> still_;
@@ -154,7 +199,9 @@ class Simulation {
   bool endless_ = false;
   bool show_progress_ = false;
   std::uint32_t frames_ = 0;
-  std::uint32_t shown_ = 0;
+  int pictures_per_second_ = 0;
+  std::uint32_t pictures_ = 0;
+  bool closed_ = false;
   std::chrono::steady_clock::time_point start_;
   RgbPicture picture_;
 };
@@ -184,10 +231,20 @@ void list_all(std::ostream& out) {
                        panel.description);
   }
   out << "  WxHxB     any size, B bits a pixel (1, 2, 4, 8): paletted, double buffered\n"
-         "\nEffects:\n"
-         "  tearing   reported with frame and line where two frames meet in one picture (panels with frame "
-         "buffers)\n"
-         "  The panel is ideal otherwise.\n";
+         "\nEffects (--effects; the panel is ideal otherwise):\n";
+  for (const hal::sim::EffectHelp& effect : hal::sim::effect_help())
+    out << fmt::format("  {:10}{:32}{}\n", effect.name, effect.value, effect.does);
+  out << "  Torn pictures of panels with frame buffers are reported in any case.\n"
+         "\nEffects of a panel where they are named without a value:\n";
+  for (const hal::sim::PanelSpec& panel : hal::sim::catalog()) {
+    std::string values;
+    for (std::size_t i = 0; i < hal::sim::effect_count; ++i) {
+      const std::string value = hal::sim::effect_default(static_cast<hal::sim::Effect>(i), panel);
+      if (!value.empty())
+        values += fmt::format("{}{} {}", values.empty() ? "" : "; ", hal::sim::effect_help()[i].name, value);
+    }
+    out << fmt::format("  {:12}{}\n", panel.name, values);
+  }
 }
 
 void simulate(const Options& options) { Simulation(options).run(); }

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include <host/sim/timeline.hpp>
+
+#include <algorithm>
+
+namespace host {
+
+Timeline::Timeline(hal::sim::Panel& panel, hal::Clock& clock, int interval)
+    : panel_(&panel), clock_(&clock), interval_(interval) {
+  panel.attach(*this);
+}
+
+Timeline::~Timeline() { panel_->detach(*this); }
+
+void Timeline::draw_begins(std::uint32_t frame) {
+  while (frames_.size() <= frame) {
+    frames_.emplace_back();
+    frames_.back().number = static_cast<std::uint32_t>(frames_.size() - 1U);
+  }
+  FrameRecord& record = frames_[frame];
+  if (!record.draw) record.draw = Span{clock_->now(), clock_->now()};
+}
+
+void Timeline::draw_ends() { frames_.back().draw->end = clock_->now(); }
+
+FrameRecord* Timeline::frame_of(std::uint32_t number) {
+  return number == 0 || number > frames_.size() ? nullptr : &frames_[number - 1U];
+}
+
+void Timeline::on_line(const hal::sim::ScannedLine& line) {
+  if (line.line != 0) return;
+  if (!refreshes_.empty()) refreshes_.back().blanking.end = line.time;
+  refreshes_.push_back({line.refresh, {line.time, line.time}, {line.time, line.time}});
+}
+
+void Timeline::on_vblank(std::uint64_t refresh, hal::Nanoseconds time) {
+  vblanks_ = static_cast<std::uint32_t>(refresh + 1U);
+  if (refreshes_.empty()) return;
+  refreshes_.back().scan.end = time;
+  refreshes_.back().blanking = {time, time};
+}
+
+void Timeline::on_te(std::uint64_t /*refresh*/, hal::Nanoseconds time) { te_edges_.push_back(time); }
+
+void Timeline::on_presented(const hal::sim::PresentedFrame& frame) {
+  // Also told of colours loaded for the frame on display.
+  FrameRecord* const record = frame_of(frame.number);
+  if (record == nullptr || record->presented) return;
+  const bool sent = !record->transfers.empty();
+  record->presented = Span{sent ? record->transfers.front().begin : clock_->now(), clock_->now()};
+}
+
+void Timeline::on_swap(std::uint32_t frame, hal::Nanoseconds time) {
+  FrameRecord* const record = frame_of(frame);
+  if (record == nullptr) return;
+  record->presented->end = time;
+  // Told in the VBLANK itself, before it is counted.
+  if (record->transfers.empty()) appear(*record, vblanks_ + 1U, time);
+}
+
+void Timeline::on_dropped(std::uint32_t frame, hal::Nanoseconds time) {
+  FrameRecord* const record = frame_of(frame);
+  if (record == nullptr) return;
+  record->dropped = true;
+  record->presented->end = time;
+}
+
+void Timeline::on_transfer(const hal::sim::Transfer& transfer) {
+  if (frames_.empty()) return;
+  FrameRecord& frame = frames_.back();
+  if (frame.transfers.empty()) appear(frame, transfer.vblank, transfer.begin);
+  frame.transfers.push_back({transfer.begin, transfer.end});
+  frame.bytes += transfer.bytes;
+}
+
+void Timeline::appear(FrameRecord& frame, std::uint32_t vblank, hal::Nanoseconds time) {
+  frame.appeared = true;
+  frame.vblank = vblank;
+  frame.time = time;
+  if (last_vblank_) {
+    const auto interval = static_cast<std::uint32_t>(interval_);
+    const std::uint32_t passed = vblank - *last_vblank_;
+    frame.late = passed > interval ? passed - interval : 0;
+    // An edge of VBLANK may come a little early, by jitter or drift, and the frame is still in time.
+    const hal::Nanoseconds due = last_time_ + interval * panel_->frame_time();
+    frame.deadline = Span{last_time_, frame.late > 0 ? due : std::min(due, time)};
+  }
+  last_vblank_ = vblank;
+  last_time_ = time;
+}
+
+}  // namespace host

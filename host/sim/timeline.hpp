@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+//
+// What happened when on a simulated panel: the record that --trace writes and --explain reads.
+//
+// Rule: all times are the panel's virtual ones. Frames are those of the program, counted from 0; the panel
+// counts requests from 1. A frame is due `interval` refreshes after the frame before appeared. It appears at
+// the VBLANK that swaps it in; on a write panel when its first byte is sent.
+#pragma once
+
+#include <hal/sim/panel.hpp>
+#include <hal/sim/tearing.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace host {
+
+/// From `begin` to `end`, in virtual nanoseconds.
+struct Span {
+  hal::Nanoseconds begin = 0;
+  hal::Nanoseconds end = 0;
+  [[nodiscard]] hal::Nanoseconds length() const { return end - begin; }
+};
+
+/// One frame of the program.
+struct FrameRecord {
+  std::uint32_t number = 0;
+  std::optional<Span> draw;       ///< From the first band to the last.
+  std::vector<Span> transfers;    ///< Of a write panel.
+  std::uint64_t bytes = 0;        ///< On the bus.
+  std::optional<Span> presented;  ///< From the request until it was on display, or sent, or dropped.
+  bool appeared = false;
+  bool dropped = false;
+  std::uint32_t vblank = 0;      ///< At which it appeared.
+  hal::Nanoseconds time = 0;     ///< When it appeared.
+  std::uint32_t late = 0;        ///< Refreshes after it was due.
+  std::optional<Span> deadline;  ///< From when the frame before appeared to when it was due.
+};
+
+/// One refresh: from its first line to its VBLANK; `blanking` to the next one's first line.
+struct RefreshRecord {
+  std::uint64_t number = 0;
+  Span scan;
+  Span blanking;
+};
+
+class Timeline final : private hal::sim::Observer {
+ public:
+  /// Must die before the panel. `interval`: refreshes a frame.
+  Timeline(hal::sim::Panel& panel, hal::Clock& clock, int interval);
+  ~Timeline() override;
+  Timeline(const Timeline&) = delete;
+  Timeline& operator=(const Timeline&) = delete;
+
+  /// Drawing of a frame, or of a band of it, begins or ends now.
+  void draw_begins(std::uint32_t frame);
+  void draw_ends();
+
+  [[nodiscard]] const std::vector<FrameRecord>& frames() const { return frames_; }
+  [[nodiscard]] const std::vector<RefreshRecord>& refreshes() const { return refreshes_; }
+  /// The edges that told the program of VBLANKs; empty where the scenario has no such line.
+  [[nodiscard]] const std::vector<hal::Nanoseconds>& te_edges() const { return te_edges_; }
+  [[nodiscard]] hal::sim::Panel& panel() const { return *panel_; }
+  /// The time a frame has.
+  [[nodiscard]] hal::Nanoseconds budget() const {
+    return static_cast<hal::Nanoseconds>(interval_) * panel_->frame_time();
+  }
+
+ private:
+  void on_line(const hal::sim::ScannedLine& line) override;
+  void on_vblank(std::uint64_t refresh, hal::Nanoseconds time) override;
+  void on_te(std::uint64_t refresh, hal::Nanoseconds time) override;
+  void on_swap(std::uint32_t frame, hal::Nanoseconds time) override;
+  void on_dropped(std::uint32_t frame, hal::Nanoseconds time) override;
+  void on_transfer(const hal::sim::Transfer& transfer) override;
+  void on_presented(const hal::sim::PresentedFrame& frame) override;
+
+  void appear(FrameRecord& frame, std::uint32_t vblank, hal::Nanoseconds time);
+  /// The frame that the panel counts as `number`, or none: what was there at the start.
+  FrameRecord* frame_of(std::uint32_t number);
+
+  hal::sim::Panel* panel_;
+  hal::Clock* clock_;
+  int interval_;
+  std::vector<FrameRecord> frames_;
+  std::vector<RefreshRecord> refreshes_;
+  std::vector<hal::Nanoseconds> te_edges_;
+  std::optional<std::uint32_t> last_vblank_;
+  hal::Nanoseconds last_time_ = 0;
+  std::uint32_t vblanks_ = 0;
+};
+
+}  // namespace host

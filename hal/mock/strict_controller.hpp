@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
 // Display controllers as seen from their bus, for testing drivers: they take the bytes of commands and data
-// as the chip would and report, as failures of the running GoogleTest test, every breach of the protocol:
+// as the chip would and report, as failures of the running GoogleTest test or to whom `on_breach` names,
+// every breach of the protocol:
 // - bytes sent before the data/command line was ever driven, or a change of it inside a command;
-// - data while a command waits for its parameters;
+// - a command while the last waits for its parameters, or data that no command asked for;
 // - unknown commands and parameters out of range;
 // - over I2C: another address, no or unknown control byte.
 //
-// Rule: a model follows the data sheet, not a driver; it shares no code with the drivers it tests.
+// Rule: a model follows the data sheet, not a driver; it shares no code with the drivers it tests. What a
+// fault of the bus has torn is no breach of the driver's: what is left of a command after it is forgotten
+// (parameters as data) or swallows what comes (parameters as commands) without effect.
 #pragma once
 
 #include <hal/bus.hpp>
@@ -15,9 +18,11 @@
 #include <hal/pin.hpp>
 
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace hal::mock {
@@ -26,6 +31,7 @@ class StrictController {
  public:
   StrictController(const StrictController&) = delete;
   StrictController& operator=(const StrictController&) = delete;
+  virtual ~StrictController() = default;
 
   /// The ends of the wires.
   [[nodiscard]] SpiBus& spi() { return spi_; }
@@ -35,11 +41,20 @@ class StrictController {
   /// What a viewer sees: everything 0 while the display is off.
   [[nodiscard]] virtual Pattern displayed() const = 0;
 
-  /// Fails if a command is still waiting for parameters.
-  void expect_idle() const;
+  /// The row of the glass, from the top, that is refreshed after `step` others.
+  [[nodiscard]] virtual int beam_row(int step) const = 0;
 
-  /// After this many more transfers (bus or pin) every one fails with `Error::bus`, and does nothing.
-  void fail_after(int transfers) { transfers_left_ = transfers; }
+  /// Reports a breach if a command is still waiting for parameters.
+  void expect_idle() const;
+  /// Breaches are told to `report` and no longer fail the test.
+  void on_breach(std::function<void(std::string_view)> report) { report_ = std::move(report); }
+
+  /// After this many more transfers (bus or pin) every one fails with `Error::bus`, until this is called
+  /// again. The first takes `bytes` of its bytes before it fails, the others none.
+  void fail_after(int transfers, int bytes = 0) {
+    transfers_left_ = transfers;
+    torn_bytes_ = bytes;
+  }
   /// Transfers so far.
   [[nodiscard]] int transfers() const { return transfers_; }
   /// Command and data bytes so far.
@@ -47,9 +62,10 @@ class StrictController {
   [[nodiscard]] std::uint64_t data_bytes() const { return data_bytes_; }
 
  protected:
-  explicit StrictController(std::uint8_t i2c_address) : i2c_address_(i2c_address) {}
-  virtual ~StrictController() = default;
-
+  /// How parameters of commands travel.
+  enum class Parameters : std::uint8_t { as_commands, as_data };
+  explicit StrictController(std::uint8_t i2c_address, Parameters travel = Parameters::as_commands)
+      : i2c_address_(i2c_address), travel_(travel) {}
   /// Parameters that a command takes; below 0: there is no such command.
   [[nodiscard]] virtual int parameters(std::uint8_t command) const = 0;
   /// A whole command with its parameters.
@@ -61,6 +77,8 @@ class StrictController {
   void breach(std::string_view what) const;
   /// Reports a parameter outside low .. high; true if it is inside.
   bool in_range(std::uint8_t command, int value, int low, int high) const;
+  /// True once after a fault of the bus: what was under way then is incomplete.
+  [[nodiscard]] bool take_fault() { return std::exchange(fault_, false); }
 
  private:
   class Spi final : public SpiBus {
@@ -92,17 +110,29 @@ class StrictController {
 
   /// False if the transfer is to fail.
   bool begin_transfer();
+  Status fail(Part part);
+  /// Bytes of `count` that the failing transfer takes.
+  [[nodiscard]] std::size_t torn(std::size_t count);
+  void take(bool data, std::uint8_t byte);
   void take_command(std::uint8_t byte);
   void take_data(std::uint8_t byte);
+  void take_parameter(std::uint8_t byte);
+  /// Executes the command if it has all its parameters.
+  void execute_if_complete();
 
   Spi spi_{*this};
   Pin pin_{*this};
   I2c i2c_{*this};
   std::uint8_t i2c_address_;
+  Parameters travel_;
+  std::function<void(std::string_view)> report_;
   Line line_ = Line::unknown;
   std::vector<std::uint8_t> command_;  // The command being taken in, with its parameters so far.
   int transfers_ = 0;
   int transfers_left_ = std::numeric_limits<int>::max();
+  int torn_bytes_ = 0;
+  bool fault_ = false;
+  bool torn_command_ = false;  // The command being taken in was cut by a fault.
   std::uint64_t command_bytes_ = 0;
   std::uint64_t data_bytes_ = 0;
 };

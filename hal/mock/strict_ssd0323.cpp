@@ -52,7 +52,7 @@ int StrictSsd0323::parameters(std::uint8_t command) const {
 void StrictSsd0323::set_window(std::uint8_t command, int first, int last, int limit, int& begin, int& end) {
   if (!in_range(command, first, 0, limit - 1) || !in_range(command, last, first, limit - 1)) return;
   const int inside = (column_end_ - column_begin_ + 1) * (row_end_ - row_begin_ + 1);
-  if (window_started_ && left_in_window_ != 0)
+  if (!take_fault() && window_started_ && left_in_window_ != 0)
     breach("a new window before the last was full: " + std::to_string(left_in_window_) + " of " +
            std::to_string(inside) + " bytes are missing");
   begin = first;
@@ -124,9 +124,10 @@ Pattern StrictSsd0323::memory() const {
     for (int x = 0; x < width; ++x) {
       // The glass is mounted for row remapping; without it the picture stands on its head.
       const int line = (remap_ & remap_row) != 0 ? y : height - 1 - y;
-      const int segment = (remap_ & remap_column) != 0 ? width - 1 - x : x;
-      const auto place = static_cast<std::size_t>((line + start_line_) % rows * columns + segment / 2);
-      const bool high = ((segment & 1) == 0) == ((remap_ & remap_nibble) != 0);
+      // Whole columns of two pixels are remapped; with their nibbles remapped too the row is mirrored.
+      const int column = (remap_ & remap_column) != 0 ? columns - 1 - x / 2 : x / 2;
+      const auto place = static_cast<std::size_t>((line + start_line_) % rows * columns + column);
+      const bool high = (x % 2 == 0) == ((remap_ & remap_nibble) != 0);
       picture.at(x, y) = high ? memory_[place] >> 4U : memory_[place] & 15U;
     }
   return picture;

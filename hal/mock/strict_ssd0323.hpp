@@ -22,6 +22,9 @@ class StrictSsd0323 final : public StrictController {
   ~StrictSsd0323() override = default;
 
   [[nodiscard]] Pattern displayed() const override;
+  [[nodiscard]] int beam_row(int step) const override {
+    return (remap_ & remap_row) != 0 ? step : height - 1 - step;
+  }
   /// The same whether or not the display is on.
   [[nodiscard]] Pattern memory() const;
   [[nodiscard]] bool on() const { return on_; }

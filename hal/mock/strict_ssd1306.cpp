@@ -3,8 +3,13 @@
 
 namespace hal::mock {
 
-StrictSsd1306::StrictSsd1306(int width, int height, int column_offset, std::uint8_t i2c_address)
-    : StrictController(i2c_address), width_(width), height_(height), column_offset_(column_offset) {
+StrictSsd1306::StrictSsd1306(int width, int height, int column_offset, std::uint8_t i2c_address,
+                             int memory_columns)
+    : StrictController(i2c_address),
+      width_(width),
+      height_(height),
+      column_offset_(column_offset),
+      memory_columns_(memory_columns) {
   unsigned noise = 54321;
   for (int i = 0; i < columns * pages; ++i) {
     noise = noise * 1103515245U + 12345U;
@@ -61,7 +66,8 @@ void StrictSsd1306::execute(std::uint8_t command, const std::vector<std::uint8_t
   } else if (command == 0x20) {
     if (in_range(command, given[0], 0, 2)) addressing_ = static_cast<Addressing>(given[0]);
   } else if (command == 0x21) {
-    if (in_range(command, given[0], 0, columns - 1) && in_range(command, given[1], given[0], columns - 1)) {
+    if (in_range(command, given[0], 0, memory_columns_ - 1) &&
+        in_range(command, given[1], given[0], memory_columns_ - 1)) {
       column_ = column_begin_ = given[0];
       column_end_ = given[1];
     }
@@ -88,7 +94,7 @@ void StrictSsd1306::execute(std::uint8_t command, const std::vector<std::uint8_t
 }
 
 void StrictSsd1306::store(std::uint8_t byte) {
-  if (column_ >= columns) {
+  if (column_ >= memory_columns_) {
     breach("data beyond the end of page " + std::to_string(page_));
     return;
   }
@@ -111,29 +117,22 @@ void StrictSsd1306::store(std::uint8_t byte) {
   }
 }
 
-Pattern StrictSsd1306::memory() const {
-  Pattern picture = Pattern::blank(width_, height_);
-  for (int y = 0; y < height_; ++y)
-    for (int x = 0; x < width_; ++x) {
-      const int row = (y + start_line_) % 64;
-      const auto place = static_cast<std::size_t>(row / 8 * columns + x + column_offset_);
-      picture.at(x, y) = memory_[place] >> static_cast<unsigned>(row % 8) & 1;
-    }
-  return picture;
+int StrictSsd1306::stored(int x, int y) const {
+  // Reversed against how the glass is mounted, columns count from the other end of the memory.
+  const bool mounted_reversed = width_ >= 128;
+  const int near = column_offset_ + x;
+  const int column = segments_reversed_ == mounted_reversed ? near : memory_columns_ - 1 - near;
+  const int row = ((rows_reversed_ ? y : height_ - 1 - y) + start_line_) % 64;
+  const auto place = static_cast<std::size_t>(row / 8 * columns + column);
+  return memory_[place] >> static_cast<unsigned>(row % 8) & 1;
 }
 
 Pattern StrictSsd1306::displayed() const {
   Pattern picture = Pattern::blank(width_, height_);
   if (!on_) return picture;
-  const Pattern stored = memory();
   for (int y = 0; y < height_; ++y)
     for (int x = 0; x < width_; ++x) {
-      // The usual 128-column glass is mounted for reversed segments and rows, the 96-column one of the
-      // SSD0303 for reversed rows only.
-      const bool mirrored = width_ >= 128 && !segments_reversed_;
-      const int from_x = mirrored ? width_ - 1 - x : x;
-      const int from_y = rows_reversed_ ? y : height_ - 1 - y;
-      const int lit = all_on_ ? 1 : stored.at(from_x, from_y);
+      const int lit = all_on_ ? 1 : stored(x, y);
       picture.at(x, y) = inverse_ ? 1 - lit : lit;
     }
   return picture;

@@ -11,27 +11,32 @@ namespace hal::mock {
 
 class StrictSsd1306 final : public StrictController {
  public:
-  /// A glass of width x height pixels whose first column is memory column `column_offset`.
-  StrictSsd1306(int width, int height, int column_offset = 0, std::uint8_t i2c_address = 0x3C);
+  /// A glass of width x height pixels whose first column is memory column `column_offset` of
+  /// `memory_columns`: as it is mounted, which is for reversed rows, and for reversed segments if it is 128
+  /// pixels wide.
+  StrictSsd1306(int width, int height, int column_offset = 0, std::uint8_t i2c_address = 0x3C,
+                int memory_columns = 128);
   ~StrictSsd1306() override = default;
 
   [[nodiscard]] Pattern displayed() const override;
-  /// The same whether or not the display is on.
-  [[nodiscard]] Pattern memory() const;
+  [[nodiscard]] int beam_row(int step) const override { return rows_reversed_ ? step : height_ - 1 - step; }
   [[nodiscard]] bool on() const { return on_; }
 
  private:
-  static constexpr int columns = 132;
+  static constexpr int columns = 132;  // Of the largest relative.
   static constexpr int pages = 8;
   enum class Addressing : std::uint8_t { horizontal, vertical, page };
 
   [[nodiscard]] int parameters(std::uint8_t command) const override;
   void execute(std::uint8_t command, const std::vector<std::uint8_t>& parameters) override;
   void store(std::uint8_t byte) override;
+  /// What the memory holds for a pixel of the glass.
+  [[nodiscard]] int stored(int x, int y) const;
 
   int width_;
   int height_;
   int column_offset_;
+  int memory_columns_;
   std::vector<std::uint8_t> memory_;
   Addressing addressing_ = Addressing::page;
   int column_ = 0;

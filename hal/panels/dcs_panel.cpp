@@ -127,9 +127,7 @@ Status DcsPanel::reset() noexcept {
   // Nothing is known of what the controller was told before, so what it may need is waited for.
   ready_ = clock_->now() + after_command;
   const Status sent = send(cmd::software_reset);
-  const Nanoseconds now = clock_->now();
-  ready_ = now + after_command;
-  settled_ = now + between_sleeps;
+  pause();
   asleep_ = true;
   return sent;
 }
@@ -171,12 +169,17 @@ Status DcsPanel::do_stop() noexcept {
 Status DcsPanel::do_sleep(bool asleep) noexcept {
   if (asleep == asleep_) return {};
   clock_->wait_until(settled_);
-  if (const Status s = send(asleep ? cmd::sleep_in : cmd::sleep_out); !s.ok()) return s;
-  asleep_ = asleep;
+  const Status sent = send(asleep ? cmd::sleep_in : cmd::sleep_out);
+  // It may have arrived even if the bus failed.
+  pause();
+  if (sent.ok()) asleep_ = asleep;
+  return sent;
+}
+
+void DcsPanel::pause() noexcept {
   const Nanoseconds now = clock_->now();
   ready_ = now + after_command;
   settled_ = now + between_sleeps;
-  return {};
 }
 
 Status DcsPanel::do_set_contrast(std::uint8_t contrast) noexcept { return send(cmd::brightness, contrast); }

@@ -84,6 +84,8 @@ class DcsPanel : public BusPanel {
   Status send(std::uint8_t code, std::span<const std::uint8_t> parameters = {}) noexcept;
   Status send(std::uint8_t code, std::uint8_t parameter) noexcept { return send(code, {&parameter, 1}); }
   Status reset() noexcept;
+  /// A reset or a change of sleep has just been sent.
+  void pause() noexcept;
   Status configure() noexcept;
   Status clear() noexcept;
   Status set_window(const Rect& area) noexcept;

@@ -28,8 +28,8 @@ Status FrameTicks::do_wait() noexcept {
 
 Nanoseconds FrameTicks::do_last() noexcept {
   if (clock_ == nullptr) return 0;
-  const Nanoseconds time = elapsed();
-  return time < period_ ? 0 : start_ + time - time % period_;
+  const Nanoseconds ticks = elapsed() / period_;
+  return ticks == 0 ? 0 : start_ + ticks * period_;
 }
 
 }  // namespace hal::panels

@@ -14,9 +14,9 @@ namespace hal::panels {
 
 class FrameTicks final : public VblankSource {
  public:
-  /// `clock` may be null; `millihertz` is at least 1.
+  /// `clock` may be null; 0 `millihertz` are taken for 1.
   FrameTicks(Clock* clock, std::uint32_t millihertz) noexcept
-      : clock_(clock), period_(1'000'000'000'000U / millihertz) {}
+      : clock_(clock), period_(1'000'000'000'000U / (millihertz == 0 ? 1U : millihertz)) {}
 
  private:
   std::uint32_t do_count() noexcept override;

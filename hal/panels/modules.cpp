@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <hal/panels/ili9341.hpp>
 #include <hal/panels/modules.hpp>
+#include <hal/panels/ssd0323.hpp>
+#include <hal/panels/ssd1306.hpp>
+#include <hal/panels/ssd1322.hpp>
 #include <hal/panels/st7789.hpp>
 
 #include <array>
@@ -31,6 +34,30 @@ BusPanel& make_dcs(ModuleStorage& storage, const ModuleParts& parts) noexcept {
   options.contrast = parts.options.contrast.value_or(module.contrast);
   options.workspace = parts.options.workspace;
   return place<Driver>(storage, *parts.port, *parts.clock, parts.vblank, options);
+}
+
+BusPanel& make_ssd1322(ModuleStorage& storage, const ModuleParts& parts) noexcept {
+  Ssd1322Options options;
+  options.rotation = parts.options.rotation;
+  options.negative = parts.options.negative;
+  options.contrast = parts.options.contrast.value_or(options.contrast);
+  return place<Ssd1322>(storage, *parts.port, parts.clock, parts.vblank, options);
+}
+
+BusPanel& make_ssd0323(ModuleStorage& storage, const ModuleParts& parts) noexcept {
+  Ssd0323Options options;
+  options.rotation = parts.options.rotation;
+  options.negative = parts.options.negative;
+  if (parts.options.contrast) options.contrast = static_cast<std::uint8_t>(*parts.options.contrast / 2);
+  return place<Ssd0323>(storage, *parts.port, parts.clock, options);
+}
+
+template <const Ssd1306Module& module>
+BusPanel& make_ssd1306(ModuleStorage& storage, const ModuleParts& parts) noexcept {
+  const Ssd1306Options options{.rotation = parts.options.rotation,
+                               .negative = parts.options.negative,
+                               .contrast = parts.options.contrast};
+  return place<Ssd1306>(storage, *parts.port, module, parts.clock, options);
 }
 
 constexpr auto table = std::to_array<Module>({
@@ -69,6 +96,47 @@ constexpr auto table = std::to_array<Module>({
      .spi = true,
      .te = true,
      .make = make_dcs<Ili9341, ili9341_320x240>},
+    {.name = "ssd1322",
+     .description = "SSD1322 OLED, 16 greys",
+     .width = 256,
+     .height = 64,
+     .spi = true,
+     .make = make_ssd1322},
+    {.name = "ssd0323",
+     .description = "SSD0323 OLED, 16 greys",
+     .width = 128,
+     .height = 64,
+     .spi = true,
+     .i2c = true,
+     .make = make_ssd0323},
+    {.name = "ssd1306",
+     .description = "SSD1306 OLED, white on black",
+     .width = 128,
+     .height = 64,
+     .spi = true,
+     .i2c = true,
+     .make = make_ssd1306<ssd1306_128x64>},
+    {.name = "ssd1306-128x32",
+     .description = "the same with half the rows",
+     .width = 128,
+     .height = 32,
+     .spi = true,
+     .i2c = true,
+     .make = make_ssd1306<ssd1306_128x32>},
+    {.name = "sh1106",
+     .description = "SH1106 OLED, white on black",
+     .width = 128,
+     .height = 64,
+     .spi = true,
+     .i2c = true,
+     .make = make_ssd1306<sh1106_128x64>},
+    {.name = "ssd0303",
+     .description = "SSD0303 OLED, white on black",
+     .width = 96,
+     .height = 16,
+     .i2c = true,
+     .i2c_framing = I2cFraming::single,
+     .make = make_ssd1306<ssd0303_96x16>},
 });
 
 }  // namespace

@@ -4,11 +4,17 @@
 //
 // Rule: the display memory holds two pixels a byte, the left one in the high nibble (nibble remap on). A
 // write sets a window in columns of two pixels and in rows, and sends the bytes of it row by row; the address
-// counter wraps inside the window, so exactly the window's bytes are sent.
+// counter wraps inside the window, so exactly the window's bytes are sent. Half a turn is the controller's
+// (columns, nibbles and rows remapped); a quarter is made of that and of the driver's exchange of rows and
+// columns.
+//
+// Source: Solomon Systech SSD0323 data sheet, and SSD1325 rev. 2.3 (2010/07), chapters "Command table" and
+// "Command descriptions".
 #pragma once
 
-#include <hal/panels/command_port.hpp>
-#include <hal/panels/write_panel.hpp>
+#include <hal/panels/bus_panel.hpp>
+#include <hal/panels/grey_rows.hpp>
+#include <hal/panels/synced_port.hpp>
 
 namespace hal::panels {
 
@@ -19,9 +25,12 @@ struct Ssd0323Options {
   std::uint8_t offset = 0;
   /// Frames a second times 1000, counted by the frame clock: the controller has no VBLANK signal.
   std::uint32_t refresh_millihertz = 60'000;
+  Rotation rotation = Rotation::by_0;
+  /// Shows the picture's negative.
+  bool negative = false;
 };
 
-class Ssd0323 final : public WritePanel {
+class Ssd0323 final : public BusPanel {
  public:
   static constexpr int width = 128;
   static constexpr int height = 64;
@@ -30,15 +39,15 @@ class Ssd0323 final : public WritePanel {
   explicit Ssd0323(CommandPort& port, Clock* frame_clock = nullptr,
                    const Ssd0323Options& options = {}) noexcept;
 
-  /// Sets the controller up, clears its memory and switches the display on. After reset, before anything
-  /// else. Errors: bus, pin.
-  Status start() noexcept;
-
  private:
+  Status do_start() noexcept override;
+  Status do_stop() noexcept override { return do_sleep(true); }
+  Status do_sleep(bool asleep) noexcept override;
+  Status do_set_contrast(std::uint8_t contrast) noexcept override;
   Status do_write(const Rect& area, std::span<const std::uint8_t> pixels, int stride) noexcept override;
   Status set_window(const Rect& area) noexcept;
 
-  CommandPort* port_;
+  SyncedPort port_;
   Ssd0323Options options_;
 };
 

@@ -50,6 +50,18 @@ PanelSpec oled(std::string name, std::string description, int width, int height,
   return spec;
 }
 
+/// A TFT controller that turns indices to colours while they are written.
+PanelSpec tft(std::string name, std::string description, int width, int height, std::uint32_t hertz) {
+  PanelSpec spec = paletted(width, height, 8, 0);
+  spec.name = std::move(name);
+  spec.description = std::move(description);
+  spec.capabilities.palette_on_write = true;
+  spec.effects.bus = {.hertz = hertz, .bits_per_pixel = 16};
+  spec.effects.depth = {{5, 6, 5}};
+  spec.effects.response = {12'000'000, 8'000'000};
+  return spec;
+}
+
 std::vector<PanelSpec> make_catalog() {
   // A window of an SSD0323 is two commands of three bytes; a page of an SSD1306 three commands, each behind a
   // control byte, and the address in front of every transaction.
@@ -64,6 +76,11 @@ std::vector<PanelSpec> make_catalog() {
   panels.push_back(oled("oled", "SSD0323 OLED behind SSI, 16 greys", 128, 64, 4, 2, 1, spi));
   panels.push_back(oled("ssd1306", "SSD1306 OLED behind I2C or SPI, white on black", 128, 64, 1, 8, 8, i2c));
   panels.push_back(oled("ssd0303", "SSD0303 OLED behind I2C, white on black", 96, 16, 1, 8, 8, i2c));
+  panels.push_back(oled("ssd1322", "SSD1322 OLED behind SPI, 16 greys", 256, 64, 4, 4, 1, spi));
+  panels.push_back(tft("st7789", "ST7789 TFT behind SPI, 256 of 65536 colours", 240, 320, 40'000'000));
+  panels.push_back(tft("ili9341", "ILI9341 TFT behind SPI, 256 of 65536 colours", 240, 320, 10'000'000));
+  panels.push_back(tft("ili9341-320x240", "the same on its side", 320, 240, 10'000'000));
+  panels.back().capabilities.scan = ScanDirection::right;
   return panels;
 }
 

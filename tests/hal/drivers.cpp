@@ -197,14 +197,14 @@ TEST(Ssd1306, RelativesShowEveryPixelToo) {
     random_writes_show(panel, model, 40'012, 100);
   }
   {
-    StrictSsd1306 model(128, 64, 2);
+    StrictSsd1306 model(128, 64, 2, 0x3C, 132);
     SpiPort port(model.spi(), model.data_command());
     Ssd1306 panel(port, hal::panels::sh1106_128x64);
     ASSERT_TRUE(panel.start().ok());
     random_writes_show(panel, model, 40'013, 100);
   }
   {
-    StrictSsd1306 model(96, 16, 36);
+    StrictSsd1306 model(96, 16, 36, 0x3C, 132);
     I2cPort port(model.i2c(), 0x3C, I2cFraming::single);
     Ssd1306 panel(port, hal::panels::ssd0303_96x16);
     ASSERT_TRUE(panel.start().ok());

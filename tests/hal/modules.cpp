@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+//
+// The table of modules: every name makes a driver that shows pictures on a model of its controller.
+#include <hal/mock/strict_dcs.hpp>
+#include <hal/mock/strict_ssd0323.hpp>
+#include <hal/mock/strict_ssd1306.hpp>
+#include <hal/mock/strict_ssd1322.hpp>
+#include <hal/panels/modules.hpp>
+#include <hal/sim/catalog.hpp>
+#include <hal/sim/virtual_clock.hpp>
+#include <tests/hal/turned_glass.hpp>
+
+#include <memory>
+#include <set>
+#include <string>
+
+namespace {
+
+using glass::Rotation;
+using hal::mock::Pattern;
+using hal::mock::StrictController;
+using hal::panels::Module;
+using hal::panels::ModuleStorage;
+
+/// The model of the controller that a module of this name has.
+std::unique_ptr<StrictController> model_of(const std::string& name, hal::Clock& clock) {
+  using namespace hal::mock;
+  if (name == "st7789-240x240")
+    return std::make_unique<StrictSt7789>(clock, DcsGlass{.height = 240, .inverted = true});
+  if (name == "st7789-135x240")
+    return std::make_unique<StrictSt7789>(
+        clock,
+        DcsGlass{.width = 135, .height = 240, .column_offset = 52, .row_offset = 40, .inverted = true});
+  if (name == "st7789") return std::make_unique<StrictSt7789>(clock);
+  if (name.starts_with("ili9341")) return std::make_unique<StrictIli9341>(clock);
+  if (name == "ssd1322") return std::make_unique<StrictSsd1322>();
+  if (name == "ssd0323") return std::make_unique<StrictSsd0323>();
+  if (name == "ssd1306") return std::make_unique<StrictSsd1306>(128, 64);
+  if (name == "ssd1306-128x32") return std::make_unique<StrictSsd1306>(128, 32);
+  if (name == "sh1106") return std::make_unique<StrictSsd1306>(128, 64, 2, 0x3C, 132);
+  if (name == "ssd0303") return std::make_unique<StrictSsd1306>(96, 16, 36, 0x3C, 132);
+  return nullptr;
+}
+
+TEST(Modules, EveryNameMakesADriverThatShowsPictures) {
+  std::set<std::string_view> names;
+  ModuleStorage storage;
+  for (const Module& module : hal::panels::modules()) {
+    SCOPED_TRACE(module.name);
+    EXPECT_TRUE(names.insert(module.name).second) << "twice";
+    EXPECT_EQ(hal::panels::find_module(module.name), &module);
+    EXPECT_TRUE(module.spi || module.i2c);
+    for (const Rotation rotation : glass::rotations) {
+      hal::sim::VirtualClock clock;
+      const auto model = model_of(std::string(module.name), clock);
+      ASSERT_NE(model, nullptr);
+      hal::panels::SpiPort port(model->spi(), model->data_command());
+      hal::panels::BusPanel& panel =
+          module.make(storage, {.port = &port, .clock = &clock, .options = {.rotation = rotation}});
+      const hal::Capabilities& c = panel.capabilities();
+      const bool quarter = rotation == Rotation::by_90 || rotation == Rotation::by_270;
+      EXPECT_EQ(quarter ? c.height : c.width, module.width);
+      EXPECT_EQ(quarter ? c.width : c.height, module.height);
+      ASSERT_TRUE(panel.start().ok());
+      int entries = 1 << c.bits_per_pixel;
+      if (c.palette_entries != 0) {
+        // Colours that are their own indices, as RGB565 sees them.
+        entries = 32;
+        std::vector<std::uint8_t> palette(96);
+        for (std::size_t i = 0; i < 32; ++i)
+          palette[3 * i + 2] = static_cast<std::uint8_t>((i * 255 + 15) / 31);
+        ASSERT_TRUE(panel.load_palette(palette).ok());
+      }
+      const auto row = static_cast<std::size_t>((c.width * c.bits_per_pixel + 7) / 8);
+      std::vector<std::uint8_t> pixels(row * static_cast<std::size_t>(c.height));
+      Pattern expected = Pattern::blank(c.width, c.height);
+      for (int y = 0; y < c.height; ++y)
+        for (int x = 0; x < c.width; ++x) {
+          const int index = (x * 7 + y * 3 + x * y) % entries;
+          const int bit = x * c.bits_per_pixel;
+          std::uint8_t& byte = pixels[static_cast<std::size_t>(y) * row + static_cast<std::size_t>(bit / 8)];
+          byte = static_cast<std::uint8_t>(byte | index << (8 - c.bits_per_pixel - bit % 8));
+          expected.at(x, y) = index;
+        }
+      ASSERT_TRUE(panel.write({0, 0, c.width, c.height}, pixels, static_cast<int>(row)).ok());
+      // A module that stands on its side in the table is one that is turned.
+      const auto turns = static_cast<int>(rotation) + (module.name == "ili9341-320x240" ? 1 : 0);
+      const Pattern seen = glass::picture(model->displayed(), static_cast<Rotation>(turns % 4));
+      EXPECT_EQ(side_by_side(expected, seen, false), "");
+      ASSERT_TRUE(panel.stop().ok());
+    }
+  }
+  EXPECT_EQ(hal::panels::find_module("st7788"), nullptr);
+  EXPECT_EQ(hal::panels::find_module(""), nullptr);
+}
+
+TEST(Modules, OfTheSimulatorsCatalogueAreWhatItSimulates) {
+  int simulated = 0;
+  for (const Module& module : hal::panels::modules()) {
+    const auto spec = hal::sim::find_panel(module.name);
+    if (!spec) continue;
+    ++simulated;
+    SCOPED_TRACE(module.name);
+    hal::sim::VirtualClock clock;
+    const auto model = model_of(std::string(module.name), clock);
+    hal::panels::SpiPort port(model->spi(), model->data_command());
+    ModuleStorage storage;
+    const hal::Capabilities& c = module.make(storage, {.port = &port, .clock = &clock}).capabilities();
+    const hal::Capabilities& s = spec->capabilities;
+    EXPECT_EQ(c.width, s.width);
+    EXPECT_EQ(c.height, s.height);
+    EXPECT_EQ(c.bits_per_pixel, s.bits_per_pixel);
+    EXPECT_EQ(c.bit_order, s.bit_order);
+    EXPECT_EQ(c.palette_entries, s.palette_entries);
+    EXPECT_EQ(c.palette_on_write, s.palette_on_write);
+    EXPECT_EQ(c.x_alignment, s.x_alignment);
+    EXPECT_EQ(c.y_alignment, s.y_alignment);
+    EXPECT_EQ(c.scan, s.scan);
+    EXPECT_TRUE(std::ranges::equal(c.fixed_palette, spec->fixed_colours));
+  }
+  EXPECT_EQ(simulated, 6);
+}
+
+}  // namespace

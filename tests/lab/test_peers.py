@@ -40,6 +40,17 @@ class Peers(unittest.TestCase):
             if build == 'package' and 'again' not in load:
                 self.assertLess(costs[job, load, function, 'cached'], cost, function)
 
+    def test_on_microcontrollers_its_square_root_is_the_cheaper_and_its_arc_tangent_the_dearer(self):
+        for core in peers.ELSEWHERE:
+            def cost(function, build, core=core):
+                return max(float(row[core.name]) for row in rows() if (row['function'], row['build']) == (function, build))
+            self.assertLess(cost('fix16_sqrt', 'cached'), cost('IsqrtNearest', peers.OURS))
+            self.assertGreater(cost('fix16_atan2', 'uncached'), 3 * cost('ArcTangentTable128Linear', peers.OURS))
+
+    def test_our_arc_tangent_is_the_more_accurate(self):
+        job = 'Direction of a vector (atan2)'
+        self.assertLess(100 * worst('ArcTangentTable128Linear', peers.OURS, job), worst('fix16_atan2', 'uncached', job))
+
     def test_the_page_names_every_function_and_marks_ours(self):
         page = peers.html_fragment(rows())
         for name in peers.FUNCTIONS.values():

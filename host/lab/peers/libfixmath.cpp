@@ -178,9 +178,15 @@ struct ArcTangentErrors {
   static long double error(int /*load*/, const Case& c) {
     const auto [y, x] = c;
     const long double exact = std::atan2(static_cast<long double>(y), static_cast<long double>(x));
-    const long double off =
-        static_cast<long double>(R{}(static_cast<fix16_t>(y), static_cast<fix16_t>(x))) / one - exact;
-    return std::fabs(std::remainder(off, 2 * pi)) * one;  // pi and -pi are the same direction
+    const auto across = static_cast<fix16_t>(x);
+    const auto down = static_cast<fix16_t>(y);
+    long double found = 0;
+    if constexpr (std::is_same_v<R, lab::Fix16Atan2>) {
+      found = static_cast<long double>(R{}(down, across)) / one;
+    } else {
+      found = static_cast<long double>(R{}(across, down).steps()) * (2 * pi) / 65536;
+    }
+    return std::fabs(std::remainder(found - exact, 2 * pi)) * one;  // pi and -pi are the same direction
   }
 };
 

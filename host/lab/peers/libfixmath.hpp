@@ -10,6 +10,7 @@
 
 #include <concepts>
 #include <cstdint>
+#include <firmware/lab/families/arc_tangent.hpp>
 #include <firmware/lab/families/sine.hpp>
 #include <firmware/lab/family.hpp>
 #include <libfixmath/fix16.h>
@@ -140,8 +141,10 @@ struct PeerDivision {
 struct PeerArcTangent {
   static constexpr std::string_view name = "arc-tangent";
   static constexpr std::string_view title = "Direction of a vector (atan2)";
-  using Rungs = number::Family<Fix16Atan2>;
-  using Default = Fix16Atan2;
+  template <class... Ours>
+  static auto with(number::Family<Ours...>) -> number::Family<Fix16Atan2, Ours...>;
+  using Rungs = decltype(with(ArcTangent::Rungs{}));
+  using Default = ArcTangent::Default;
   static constexpr Load loads[] = {{"lengths up to 320", 256}};
   using Input = FixPair;
   static Input input(int /*load*/, int i) noexcept {
@@ -152,7 +155,11 @@ struct PeerArcTangent {
   }
   template <class R>
   static std::uint32_t run(const Input& in) noexcept {
-    return static_cast<std::uint32_t>(R{}(in.first, in.second));
+    if constexpr (std::is_same_v<R, Fix16Atan2>) {
+      return static_cast<std::uint32_t>(R{}(in.first, in.second));
+    } else {
+      return static_cast<std::uint32_t>(R{}(in.second, in.first).steps());
+    }
   }
 };
 

@@ -18,7 +18,7 @@ std::string counters_of(const char* panel_name, int interval, hal::Nanoseconds p
     if (frame == 10) clock.advance(pause);
     return true;
   };
-  EXPECT_TRUE(host::find_program("testcard")->run(metered, interval, 20, on_frame).ok());
+  EXPECT_TRUE(host::find_program("testcard")->run(metered, interval, 20, on_frame, {}).ok());
   return metered.counters();
 }
 

@@ -67,7 +67,7 @@ hal::mock::Pattern simulated(const char* panel_name, std::uint32_t frames) {
   hal::sim::VirtualClock clock;
   hal::sim::Panel panel(*hal::sim::find_panel(panel_name), clock);
   EXPECT_TRUE(host::find_program("testcard")
-                  ->run(panel, 1, frames, [](std::uint32_t, std::uint32_t) { return true; })
+                  ->run(panel, 1, frames, [](std::uint32_t, std::uint32_t) { return true; }, {})
                   .ok());
   const hal::sim::Picture picture = panel.displayed();
   hal::mock::Pattern pattern = hal::mock::Pattern::blank(picture.width, picture.height);
@@ -84,7 +84,7 @@ void shows_what_the_simulator_shows(Model& model, const char* real, const char* 
   {
     const auto attached = host::attach(by_hand(real));
     EXPECT_TRUE(host::find_program("testcard")
-                    ->run(attached->panel(), 1, frames, [](std::uint32_t, std::uint32_t) { return true; })
+                    ->run(attached->panel(), 1, frames, [](std::uint32_t, std::uint32_t) { return true; }, {})
                     .ok());
     EXPECT_TRUE(model.on());
     EXPECT_EQ(side_by_side(simulated(simulated_name, frames), model.displayed(), false), "");
@@ -121,9 +121,8 @@ TEST_F(Wired, AChipPulledOutMidFrameEndsTheRunWithItsName) {
   kernel().calls_left = 1000;
   kernel().error = ENODEV;
   const intaglio::Status status =
-      host::find_program("testcard")->run(attached->panel(), 1, 5, [](std::uint32_t, std::uint32_t) {
-        return true;
-      });
+      host::find_program("testcard")
+          ->run(attached->panel(), 1, 5, [](std::uint32_t, std::uint32_t) { return true; }, {});
   EXPECT_EQ(status.error(), intaglio::Error::device);
   EXPECT_THAT(attached->fault(), AllOf(HasSubstr("of gpiochip0"), HasSubstr("the device is gone")));
 }

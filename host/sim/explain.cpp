@@ -64,7 +64,8 @@ class Report {
   }
 
  private:
-  /// The later of the frames that met; where a part is unfinished, the one that was being made.
+  /// The later of the frames that met; where a part is unfinished, the one that was being made. Frames may
+  /// look alike where they met, so it is none that first touched what is on display after the refresh.
   [[nodiscard]] std::uint32_t frame_that_tore(const std::vector<const Tear*>& tears) const {
     std::uint32_t latest = 0;
     bool unfinished = false;
@@ -72,19 +73,19 @@ class Report {
       latest = std::max({latest, tear->above.value_or(0), tear->below.value_or(0)});
       unfinished = unfinished || !tear->above || !tear->below;
     }
-    const auto frames = static_cast<std::uint32_t>(timeline_.frames().size());
     // The panel counts from 1, so the one after `latest` has that number here.
-    const std::uint32_t next = latest == 0 ? 0 : latest - 1U;
-    if (!unfinished || latest >= frames) return next;
+    std::uint32_t frame = unfinished || latest == 0 ? latest : latest - 1U;
+    frame = std::min(frame, static_cast<std::uint32_t>(timeline_.frames().size()) - 1U);
     const RefreshRecord* const refresh = refresh_of(tears.front()->refresh);
-    const FrameRecord& following = timeline_.frames()[latest];
-    const bool begun = refresh != nullptr && first_touch(following) < refresh->scan.end;
-    return begun ? latest : next;
+    while (refresh != nullptr && frame > 0 && first_touch(timeline_.frames()[frame]) >= refresh->scan.end)
+      --frame;
+    return frame;
   }
   /// When a frame first touched what is on display.
   [[nodiscard]] static Nanoseconds first_touch(const FrameRecord& frame) {
     if (!frame.transfers.empty()) return frame.transfers.front().begin;
-    return frame.draw ? frame.draw->begin : ~Nanoseconds{0};
+    if (frame.draw) return frame.draw->begin;
+    return frame.presented ? frame.presented->begin : ~Nanoseconds{0};
   }
   [[nodiscard]] const RefreshRecord* refresh_of(std::uint64_t number) const {
     const auto& all = timeline_.refreshes();
@@ -93,8 +94,8 @@ class Report {
   }
 
   [[nodiscard]] static std::string part(std::optional<std::uint32_t> frame) {
-    if (!frame) return "a part of a picture";
-    return *frame == 0 ? "the picture before the first" : fmt::format("frame {}", *frame - 1U);
+    if (!frame) return "an unfinished picture";
+    return *frame == 0 ? "what was there at the start" : fmt::format("frame {}", *frame - 1U);
   }
 
   [[nodiscard]] std::string made_of(const FrameRecord& frame) const {
@@ -143,21 +144,35 @@ class Report {
     std::string text;
     for (const std::uint64_t number : torn) {
       const std::vector<const Tear*>& tears = tears_of_.at(number);
-      text += fmt::format("Frame {} tore in refresh {}, {} {}: {}. {}\n", frame.number, number,
-                          hal::sim::by_columns(tears.front()->scan) ? "column" : "line", place(tears),
-                          met(tears), cause(frame, number, *tears.front()));
+      text += fmt::format("Frame {} tore in refresh {}: {}. {}\n", frame.number, number, met(tears, frame),
+                          cause(frame, number, *tears.front()));
     }
     return text;
   }
-  /// Where; lines of which only a part had been sent stand between two tears.
-  [[nodiscard]] static std::string place(const std::vector<const Tear*>& tears) {
-    return tears.size() == 1 ? std::to_string(tears.front()->line)
-                             : fmt::format("{} to {}", tears.front()->line, tears.back()->line);
-  }
-  [[nodiscard]] static std::string met(const std::vector<const Tear*>& tears) {
-    if (tears.front()->kind == Tear::Kind::palette) return "the colours changed there";
-    return fmt::format("the beam showed {} before, {} after", part(tears.front()->above),
-                       part(tears.back()->below));
+  /// Which frames met, and where, as the beam goes.
+  [[nodiscard]] static std::string met(const std::vector<const Tear*>& tears, const FrameRecord& frame) {
+    const char* const line = hal::sim::by_columns(tears.front()->scan) ? "column" : "line";
+    const auto side = [&frame](std::optional<std::uint32_t> number) {
+      return part(number ? std::optional(std::min(*number, frame.number + 1U)) : number);
+    };
+    // Where bus and beam run abreast, lines of both frames alternate, and some are half sent.
+    if (!frame.transfers.empty() && tears.size() > 1)
+      return fmt::format("{} up to {} {}, {} from {} on, both in between", side(tears.front()->above), line,
+                         tears.front()->line, side(tears.back()->below), tears.back()->line);
+    constexpr std::size_t most = 2;
+    std::vector<std::string> places;
+    for (const Tear* const tear : tears) {
+      if (tear->kind == Tear::Kind::palette) {
+        places.push_back(fmt::format("from {} {} on the colours were others", line, tear->line));
+      } else {
+        places.push_back(fmt::format("{} up to {} {}, from there on {}", side(tear->above), line, tear->line,
+                                     side(tear->below)));
+      }
+    }
+    const std::size_t more = places.size() > most ? places.size() - most : 0;
+    places.resize(places.size() - more);
+    const std::string text = fmt::format("{}", fmt::join(places, "; "));
+    return more == 0 ? text : fmt::format("{}; and so on, {} more", text, more);
   }
 
   [[nodiscard]] std::string cause(const FrameRecord& frame, std::uint64_t number, const Tear& tear) const {
@@ -185,7 +200,7 @@ class Report {
     const Nanoseconds into = bus.begin - refresh.scan.begin;
     text += fmt::format("Sending began {} into the refresh, with the beam at line {}, and not in VBLANK",
                         ms(into), into / panel_.line_time());
-    return text + (bus.length() == 0 ? "." : "; the bus ran behind the beam.");
+    return text + (bus.length() == 0 ? "." : "; the bus overtook the beam.");
   }
 
   [[nodiscard]] static std::string capital(std::string text) {

@@ -273,6 +273,65 @@ TEST(Glass, TearingShowsWhatTheBeamFetched) {
 
 // --- What isn't declared -------------------------------------------------------------------------------
 
+/// All that an observer and a viewer are told of an ideal panel in some frames, as bytes.
+class Log final : public hal::sim::Observer {
+ public:
+  Bytes bytes;
+  void add(std::uint64_t value) {
+    for (unsigned shift = 0; shift < 64; shift += 8)
+      bytes.push_back(static_cast<std::uint8_t>(value >> shift));
+  }
+  void add(std::span<const std::uint8_t> part) { bytes.insert(bytes.end(), part.begin(), part.end()); }
+
+ private:
+  void on_line(const hal::sim::ScannedLine& line) override {
+    add(line.refresh);
+    add(static_cast<std::uint64_t>(line.y));
+    add(line.time);
+    add(line.pixels);
+    add(line.palette);
+  }
+  void on_vblank(std::uint64_t refresh, Nanoseconds time) override {
+    add(refresh);
+    add(time);
+  }
+};
+
+std::uint32_t digest_of_ideal(const char* name) {
+  VirtualClock clock;
+  Panel panel(*hal::sim::find_panel(name), clock);
+  Log log;
+  panel.attach(log);
+  const hal::Capabilities& c = panel.capabilities();
+  const int stride = c.width * c.bits_per_pixel / 8;
+  Bytes memory(static_cast<std::size_t>(stride * c.height));
+  for (std::size_t frame = 0; frame < 5; ++frame) {
+    for (std::size_t i = 0; i < memory.size(); ++i)
+      memory[i] = static_cast<std::uint8_t>(7U * i * frame + i / 100U);
+    clock.advance(7'000'001U * frame);
+    if (c.buffers > 0) {
+      std::ranges::copy(memory, panel.buffer(static_cast<int>(frame % 2U)).begin());
+      panel.show(static_cast<int>(frame % 2U), Bytes(6, static_cast<std::uint8_t>(50U * frame))).ignore();
+    } else {
+      panel.write({0, 0, c.width, c.height}, memory, stride).ignore();
+    }
+    panel.wait_for_vblank().ignore();
+    log.add(panel.vblank_count());
+    log.add(panel.displayed().rgb);
+  }
+  panel.detach(log);
+  return oracle::crc32(log.bytes);
+}
+
+TEST(Effects, AnIdealPanelIsWhatItWasBeforeThereWereEffects) {
+  // Counted with the simulator as it was then.
+  EXPECT_EQ(digest_of_ideal("clcd"), 0xC4D57AE8U);
+  EXPECT_EQ(digest_of_ideal("clcd1"), 0xE0CCFE3BU);
+  EXPECT_EQ(digest_of_ideal("oled"), 0x7E1F7372U);
+  EXPECT_EQ(digest_of_ideal("ssd1306"), 0xF8E424ABU);
+  EXPECT_EQ(digest_of_ideal("97x33x8"), 0x3F1D91B3U);
+}
+
 /// The CRC of all that is seen of some frames, drawn and sent in ways that touch every effect.
 std::uint32_t digest_of_run(const PanelSpec& spec, const Effects& effects) {
   VirtualClock clock;
@@ -319,7 +378,6 @@ TEST(Effects, WhatIsntDeclaredIsntRunAndChangesNothing) {
                      {Effect::dead, "dead=1:1:ff00ff", "oled"},
                      {Effect::grid, "grid=4", "clcd4"}};
   static_assert(std::size(cases) == hal::sim::effect_count);
-  // As they were before there were effects.
   const std::uint32_t ideal_clcd = digest_of_run(*hal::sim::find_panel("clcd4"), {});
   const std::uint32_t ideal_oled = digest_of_run(*hal::sim::find_panel("oled"), {});
   const auto before = hal::sim::effect_calls;

@@ -194,7 +194,8 @@ void expect_tear_at_computed_line(Nanoseconds bus_time, Nanoseconds phase) {
   for (const Tear& tear : detector.tears()) found.emplace_back(tear.refresh, tear.line);
   EXPECT_EQ(found, expected);
   if (bus_time == 18'000'000 && phase == 0) {
-    ASSERT_EQ(expected.size(), 2U) << "the line in work, and the one after it";
+    ASSERT_EQ(expected.size(), 2U)
+        << "the first line of which only a part was there, and the first of which nothing was";
     // 22 lines of blanking ahead, a line takes 75 us on the bus and 63.6 us under the beam: from y = 117 on,
     // 75 (y + 1) is more than 63.6 (y + 22).
     EXPECT_EQ(expected[0].second, 117);

@@ -84,7 +84,7 @@ Status Link::ask(ReportType type, std::span<const std::uint8_t> payload, ReportT
   const std::uint64_t senseless_before = counters_.senseless;
   const Nanoseconds until = clock_->now() + options_.patience;
   while (clock_->now() < until) {
-    if (const Status s = port_->send(report); !s.ok()) return s;
+    if (const Status s = put(report); !s.ok()) return s;
     ++counters_.sent;
     const Nanoseconds again = clock_->now() + options_.retry;
     for (Nanoseconds now = clock_->now(); now < again; now = clock_->now()) {
@@ -194,7 +194,7 @@ Status Link::resend() {
   resent_at_ = clock_->now();
   resend_at_ = resent_at_ + pause_;
   for (std::uint16_t sequence = oldest_; sequence != next_; ++sequence) {
-    if (const Status s = port_->send(slot(sequence)); !s.ok()) return s;
+    if (const Status s = put(slot(sequence)); !s.ok()) return s;
     ++counters_.resent;
   }
   return {};
@@ -225,7 +225,15 @@ Status Link::transmit(ReportType type, std::span<const std::uint8_t> payload) {
   const auto report = slot(next_);
   next_ = static_cast<std::uint16_t>((next_ + 1U) & 0xFFFFU);
   ++counters_.sent;
-  return port_->send(report);
+  return put(report);
+}
+
+Status Link::put(std::span<const std::uint8_t> report) {
+  const Status s = port_->send(report);
+  if (s.ok() || s.error() == Error::disconnected) return s;
+  // A report that the wire doesn't take is lost like others, and sent again.
+  ++counters_.refused;
+  return {};
 }
 
 Status Link::settle() {

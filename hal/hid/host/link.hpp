@@ -23,7 +23,7 @@ struct LinkOptions {
   /// Without a word from the device for so long, reports are sent again; doubled each time, up to 8 times.
   Nanoseconds retry = 50'000'000;
   /// Without progress for so long, the device is given up.
-  Nanoseconds patience = 2'000'000'000;
+  Nanoseconds patience = 4'000'000'000;
 };
 
 /// What happened so far.
@@ -32,6 +32,7 @@ struct LinkCounters {
   std::uint64_t resent = 0;
   std::uint64_t received = 0;
   std::uint64_t senseless = 0;  ///< input reports that can't be what they claim
+  std::uint64_t refused = 0;    ///< reports that the port didn't take
   std::uint64_t sessions = 0;
 };
 
@@ -83,6 +84,7 @@ class Link {
   Status ask(ReportType type, std::span<const std::uint8_t> payload, ReportType answer);
   Status make_progress();
   Status resend();
+  Status put(std::span<const std::uint8_t> report);
   void hear(std::span<const std::uint8_t> report);
   [[nodiscard]] std::uint16_t in_flight() const { return static_cast<std::uint16_t>(next_ - oldest_); }
   [[nodiscard]] std::span<std::uint8_t> slot(std::uint16_t sequence) {

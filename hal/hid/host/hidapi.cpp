@@ -54,6 +54,11 @@ std::string hexadecimal(unsigned number) {
 
 }  // namespace
 
+std::string HidDevice::title() const {
+  if (maker.empty() || product.starts_with(maker)) return product;
+  return product.empty() ? maker : maker + ' ' + product;
+}
+
 struct HidApi::Functions {
   void* library = nullptr;
   decltype(&hid_init) init = nullptr;
@@ -151,9 +156,7 @@ HidApiPort::~HidApiPort() = default;
 
 std::string HidApiPort::description() const {
   std::string text = hexadecimal(device_.vendor) + ':' + hexadecimal(device_.product_number);
-  if (!device_.maker.empty() || !device_.product.empty())
-    text += " (" + device_.maker + (device_.maker.empty() || device_.product.empty() ? "" : " ") +
-            device_.product + ')';
+  if (const std::string title = device_.title(); !title.empty()) text += " (" + title + ')';
   return text + " at " + device_.path;
 }
 

@@ -35,6 +35,9 @@ struct HidDevice {
   /// 0 where the library can't tell (libusb).
   std::uint16_t usage_page = 0;
   std::uint16_t usage = 0;
+
+  /// What its maker calls it: "Logitech G13"; may be empty.
+  [[nodiscard]] std::string title() const;
 };
 
 class HidApi {

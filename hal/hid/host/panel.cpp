@@ -82,7 +82,7 @@ Status HidPanel::present(std::span<const std::uint8_t> picture) {
       if (whole) ++counters_.whole;
       std::copy(picture.begin(), picture.end(), held_.begin());
       held_palette_ = palette_;
-      known_ = true;
+      known_ = shown_before_ = true;
       committed_ = frame_;
       return {};
     }
@@ -203,17 +203,32 @@ Nanoseconds HidPanel::vblank_patience() const {
   return std::max(frames * period, link_->patience());
 }
 
+Status HidPanel::recover() {
+  if (link_->lost()) note({Error::disconnected, Part::panel}).ignore();
+  if (options_.replug_patience == 0 && !link_->lost()) return {Error::disconnected, Part::panel};
+  // A copy: what is sent becomes what is held.
+  const std::vector<std::uint8_t> same = held_;
+  return shown_before_ ? present(same) : reconnect();
+}
+
 Status HidPanel::do_wait_for_vblank() noexcept {
   if (connected_) note(link_->drain()).ignore();
-  if (!connected_) return {Error::disconnected, Part::panel};
-  const std::uint32_t before = link_->state().vblanks;
-  const Nanoseconds until = link_->now() + vblank_patience();
+  if (!connected_ || link_->lost())
+    if (const Status s = recover(); !s.ok()) return s;
+  std::uint32_t before = link_->state().vblanks;
+  Nanoseconds until = link_->now() + vblank_patience();
   while (link_->state().vblanks == before || pending()) {
     const Nanoseconds now = link_->now();
     if (now >= until) return {Error::timeout, Part::panel};
     const Status s = note(link_->listen(until - now));
-    if (!s.ok() && s.error() != Error::timeout) return s;
-    if (link_->lost()) return note({Error::disconnected, Part::panel});
+    if (s.error() == Error::disconnected || link_->lost()) {
+      note({Error::disconnected, Part::panel}).ignore();
+      if (const Status r = recover(); !r.ok()) return r;
+      before = link_->state().vblanks;
+      until = link_->now() + vblank_patience();
+    } else if (!s.ok() && s.error() != Error::timeout) {
+      return s;
+    }
   }
   return {};
 }

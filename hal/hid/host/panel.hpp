@@ -7,8 +7,9 @@
 // accepted it; buffer and colours take effect together at the device's next VBLANK. A frame that the device
 // refuses is sent again, whole. So is the first one after the device was gone.
 //
-// The device gone: every call answers `Error::disconnected` until it is back; `show` looks for it each time,
-// and waits `replug_patience` for it. Its serial number and its capabilities must be the same.
+// The device gone: every call answers `Error::disconnected` until it is back, and `show` looks for it each
+// time. With a `replug_patience` `show` and `wait_for_vblank` wait so long for it, and show again what was on
+// display. Its serial number and its capabilities must be the same.
 #pragma once
 
 #include <hal/hid/host/link.hpp>
@@ -24,7 +25,7 @@
 namespace hal::hid {
 
 struct HidPanelOptions {
-  /// How long `show` waits for a device that was unplugged.
+  /// How long a call waits for a device that was unplugged.
   Nanoseconds replug_patience = 0;
 };
 
@@ -42,6 +43,8 @@ class HidPanel final : public Panel {
   explicit HidPanel(Link& link, const HidPanelOptions& options = {});
 
   [[nodiscard]] const HidPanelCounters& counters() const { return counters_; }
+  /// False while the device is gone.
+  [[nodiscard]] bool connected() const { return connected_; }
 
  private:
   const Capabilities& do_capabilities() const noexcept override { return capabilities_; }
@@ -63,6 +66,7 @@ class HidPanel final : public Panel {
   Status send_palette();
   Status send_rect(const Rect& area, std::span<const std::uint8_t> picture);
   Status reconnect();
+  Status recover();
   [[nodiscard]] Rect difference(std::span<const std::uint8_t> picture) const;
   [[nodiscard]] bool pending() const { return committed_ != 0 && link_->state().shown != committed_; }
   [[nodiscard]] Nanoseconds vblank_patience() const;
@@ -80,6 +84,7 @@ class HidPanel final : public Panel {
   std::vector<std::uint8_t> held_;
   std::vector<std::uint8_t> held_palette_;
   bool known_ = false;
+  bool shown_before_ = false;
   bool connected_ = true;
   std::uint16_t frame_ = 0;
   /// The frame that was accepted last in this session; 0: none.

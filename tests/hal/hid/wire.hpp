@@ -51,6 +51,8 @@ class Wire final : public hal::hid::ReportPort {
   [[nodiscard]] std::uint64_t overflowed() const { return overflowed_; }
   [[nodiscard]] int unplugs() const { return unplugs_; }
 
+  /// Pulls the cable now.
+  void pull() { unplug(); }
   /// Lets time pass without the host doing anything.
   void idle(hal::Nanoseconds time) {
     const hal::Nanoseconds until = clock_->now() + time;

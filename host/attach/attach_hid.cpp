@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: MIT
+//
+// Displays on USB HID:
+//
+//     hid:intaglio[:SERIAL]          a display of the project's report protocol
+//     hid:g13, hid:g15v2, hid:g510   the display of a keyboard
+//     hid:mcp2221/CONTROLLER@3c      a display on I2C behind an MCP2221A; ssd1306, ssd1306-128x32, sh1106
+//
+// with `libusb/` or `hidraw/` (the default) in front: hid:libusb/g13.
+#include <hal/hid/host/gaming_lcd.hpp>
+#include <hal/hid/host/hidapi.hpp>
+#include <hal/hid/host/mcp2221.hpp>
+#include <hal/hid/host/panel.hpp>
+#include <hal/linux/monotonic_clock.hpp>
+#include <hal/panels/ssd1306.hpp>
+#include <host/attach/backend.hpp>
+#include <host/failure.hpp>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+namespace host {
+
+namespace {
+
+using hal::hid::HidApi;
+using hal::hid::HidApiPort;
+using hal::hid::HidDevice;
+using hal::hid::Numbering;
+
+/// How long a program waits for a display that was unplugged.
+constexpr hal::Nanoseconds replug_patience = 5'000'000'000;
+
+constexpr std::string_view forms =
+    "hid:intaglio, hid:intaglio:SERIAL, hid:g13, hid:g15v2, hid:g510, or hid:mcp2221/ssd1306@3c; libusb/ in "
+    "front uses that: hid:libusb/g13";
+
+/// What follows `hid:`, taken apart.
+struct Name {
+  HidApi::Way way = HidApi::Way::hidraw;
+  std::string kind;
+  std::string serial;
+};
+
+Name name_of(const AttachOptions& options) {
+  std::string text = device_of(options);
+  Name name;
+  for (const auto& [prefix, way] :
+       {std::pair{"libusb/", HidApi::Way::libusb}, {"hidraw/", HidApi::Way::hidraw}})
+    if (text.starts_with(prefix)) {
+      name.way = way;
+      text.erase(0, std::string_view(prefix).size());
+      break;
+    }
+  const std::size_t colon = text.find(':');
+  name.kind = text.substr(0, colon);
+  if (colon != std::string::npos) name.serial = text.substr(colon + 1U);
+  return name;
+}
+
+bool is_ours(const HidDevice& d) {
+  if (d.usage_page != 0) return d.usage_page == hal::hid::usage_page && d.usage == hal::hid::usage;
+  // libusb doesn't tell usages.
+  return d.product.starts_with("Intaglio");
+}
+
+bool is_bridge(const HidDevice& d) {
+  return d.vendor == hal::hid::microchip && d.product_number == hal::hid::mcp2221_product;
+}
+
+const hal::hid::LcdDevice* lcd_of(const HidDevice& d) {
+  return d.vendor == hal::hid::logitech ? hal::hid::lcd_device(d.product_number) : nullptr;
+}
+
+/// The device that is meant. Of one with several interfaces the display is the one with a usage of its
+/// maker's.
+template <class Wanted>
+HidDevice find(const HidApi& api, const AttachOptions& options, const Name& name, Wanted wanted) {
+  std::optional<HidDevice> found;
+  for (HidDevice& d : api.devices()) {
+    if (!wanted(d) || (!name.serial.empty() && d.serial != name.serial)) continue;
+    const bool own_usage = d.usage_page >= 0xFF00U;
+    if (!found || own_usage) found = std::move(d);
+    if (own_usage) break;
+  }
+  if (!found)
+    throw Failure("no device for --panel " + options.panel + " is plugged in; --list-panels shows what is");
+  return *found;
+}
+
+void refuse_wires(const AttachOptions& o) {
+  const std::array<std::pair<bool, const char*>, 10> given{{{!o.data_command.empty(), "--dc"},
+                                                            {!o.reset.empty(), "--reset"},
+                                                            {!o.te.empty(), "--te"},
+                                                            {!o.size.empty(), "--size"},
+                                                            {!o.offset.empty(), "--offset"},
+                                                            {o.rotate != 0, "--rotate"},
+                                                            {o.invert, "--invert"},
+                                                            {o.bgr, "--bgr"},
+                                                            {o.mirror, "--mirror"},
+                                                            {o.contrast.has_value(), "--contrast"}}};
+  for (const auto& [is, option] : given)
+    if (is) throw Failure(o.panel + " knows no " + option);
+}
+
+std::string size_of(const hal::Capabilities& c) {
+  return std::to_string(c.width) + 'x' + std::to_string(c.height);
+}
+
+/// What all have: a port, and words for what went wrong with it.
+class HidAttached : public AttachedPanel {
+ public:
+  HidAttached(const HidApi& api, HidDevice device, Numbering numbering)
+      : api_(&api), port_(api, std::move(device), numbering) {}
+  std::string description() const override {
+    return port_.description() + " over " + std::string(api_->name());
+  }
+  std::string fault() const override { return port_.fault(); }
+  bool keep() override { return kept_ = true; }
+
+ protected:
+  hal::linux_io::MonotonicClock clock_;
+  const HidApi* api_;
+  HidApiPort port_;
+  bool kept_ = false;
+};
+
+class OwnDisplay final : public HidAttached {
+ public:
+  OwnDisplay(const HidApi& api, HidDevice device)
+      : HidAttached(api, std::move(device), Numbering::none), link_(port_, clock_) {
+    if (const hal::Status s = link_.open(); !s.ok())
+      throw Failure(port_.description() + (s.error() == hal::Error::unsupported
+                                               ? " speaks another version of the protocol"
+                                           : port_.fault().empty() ? " doesn't answer"
+                                                                   : ": " + port_.fault()));
+    panel_.emplace(link_, hal::hid::HidPanelOptions{replug_patience});
+    input_.emplace(link_);
+  }
+  ~OwnDisplay() override {
+    if (kept_) return;
+    const auto black = panel_->buffer(0);
+    std::fill(black.begin(), black.end(), std::uint8_t{0});
+    const std::vector<std::uint8_t> colours(static_cast<std::size_t>(panel_->capabilities().palette_entries) *
+                                            3U);
+    hal::hid::HidPanel& last = *panel_;
+    if (last.connected()) last.show(0, colours).ignore();
+  }
+  hal::Panel& panel() override { return *panel_; }
+  hal::Input* input() override { return link_.info().has_keys ? &*input_ : nullptr; }
+  std::string description() const override {
+    return size_of(panel_->capabilities()) + ", " + HidAttached::description();
+  }
+  std::string counters() const override {
+    const auto& l = link_.counters();
+    const auto& p = panel_->counters();
+    std::string text;
+    for (const auto& [key, value] : {std::pair{"reports", l.sent},
+                                     {"reports_again", l.resent},
+                                     {"frames_whole", p.whole},
+                                     {"frames_refused", p.rejected},
+                                     {"reconnects", p.reconnects}})
+      text += "hid_" + std::string(key) + ' ' + std::to_string(value) + '\n';
+    return text;
+  }
+
+ private:
+  hal::hid::Link link_;
+  std::optional<hal::hid::HidPanel> panel_;
+  std::optional<hal::hid::HidInput> input_;
+};
+
+class KeyboardDisplay final : public HidAttached {
+ public:
+  KeyboardDisplay(const HidApi& api, HidDevice device, const hal::hid::LcdDevice& kind,
+                  const AttachOptions& options)
+      : HidAttached(api, std::move(device), Numbering::numbered),
+        panel_(port_, &clock_, options.refresh_millihertz == 0 ? 30'000U : options.refresh_millihertz),
+        input_(port_, kind) {
+    if (!panel_.start().ok()) throw Failure(port_.fault());
+  }
+  ~KeyboardDisplay() override {
+    if (!kept_) panel_.stop().ignore();
+  }
+  hal::Panel& panel() override { return panel_; }
+  hal::Input* input() override { return &input_; }
+
+ private:
+  hal::hid::GamingLcd panel_;
+  hal::hid::LcdInput input_;
+};
+
+class BridgedDisplay final : public HidAttached {
+ public:
+  BridgedDisplay(const HidApi& api, HidDevice device, const hal::panels::Ssd1306Module& module,
+                 std::uint8_t address)
+      : HidAttached(api, std::move(device), Numbering::none),
+        bus_(port_, clock_),
+        commands_(bus_, address),
+        panel_(commands_, module, &clock_) {
+    if (!bus_.start().ok()) throw Failure(port_.description() + " doesn't answer");
+    if (!panel_.start().ok())
+      throw Failure("nothing answers at that address of the I2C bus behind " + port_.description());
+  }
+  ~BridgedDisplay() override {
+    constexpr std::array<std::uint8_t, 1> display_off{0xAE};
+    if (!kept_) commands_.command(display_off).ignore();
+  }
+  hal::Panel& panel() override { return panel_; }
+
+ private:
+  hal::hid::Mcp2221I2c bus_;
+  hal::panels::I2cPort commands_;
+  hal::panels::Ssd1306 panel_;
+};
+
+std::unique_ptr<AttachedPanel> attach_bridged(const AttachOptions& options, const Name& name,
+                                              std::string_view display) {
+  const std::size_t at = display.find('@');
+  const std::string_view controller = display.substr(0, at);
+  unsigned address = 0x3C;
+  if (at != std::string_view::npos) {
+    const std::string_view text = display.substr(at + 1U);
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), address, 16);
+    if (error != std::errc{} || end != text.data() + text.size() || address < 0x03 || address > 0x77)
+      throw Failure("'" + std::string(text) + "' is no I2C address: two hexadecimal digits, 03 to 77");
+  }
+  hal::panels::Ssd1306Module module;
+  if (controller == "ssd1306")
+    module = hal::panels::ssd1306_128x64;
+  else if (controller == "ssd1306-128x32")
+    module = hal::panels::ssd1306_128x32;
+  else if (controller == "sh1106")
+    module = hal::panels::sh1106_128x64;
+  else
+    throw Failure("no display '" + std::string(controller) +
+                  "' can be had behind an MCP2221A; ssd1306, ssd1306-128x32 and sh1106 can");
+  if (options.refresh_millihertz != 0) module.refresh_millihertz = options.refresh_millihertz;
+  const HidApi& api = HidApi::over(name.way);
+  return std::make_unique<BridgedDisplay>(api, find(api, options, name, is_bridge), module,
+                                          static_cast<std::uint8_t>(address));
+}
+
+}  // namespace
+
+std::unique_ptr<AttachedPanel> attach_hid(const AttachOptions& options) {
+  refuse_wires(options);
+  const Name name = name_of(options);
+  constexpr std::string_view bridge = "mcp2221/";
+  if (name.kind.starts_with(bridge))
+    return attach_bridged(options, name, std::string_view(name.kind).substr(bridge.size()));
+  if (name.kind == "intaglio") {
+    const HidApi& api = HidApi::over(name.way);
+    return std::make_unique<OwnDisplay>(api, find(api, options, name, is_ours));
+  }
+  const auto kinds = hal::hid::lcd_devices();
+  if (std::ranges::any_of(kinds, [&](const auto& kind) { return name.kind == kind.name; })) {
+    const HidApi& api = HidApi::over(name.way);
+    const HidDevice found = find(api, options, name, [&](const HidDevice& d) {
+      const auto* const kind = lcd_of(d);
+      return kind != nullptr && name.kind == kind->name;
+    });
+    return std::make_unique<KeyboardDisplay>(api, found, *lcd_of(found), options);
+  }
+  throw Failure("'" + options.panel + "' is no USB HID display: " + std::string(forms));
+}
+
+std::vector<std::string> list_hid() {
+  std::vector<std::string> all;
+  std::vector<HidDevice> devices;
+  try {
+    devices = HidApi::over(HidApi::Way::hidraw).devices();
+  } catch (const hal::hid::HidError& error) {
+    return {std::string("(") + error.what() + ')'};
+  }
+  for (const HidDevice& d : devices) {
+    std::string panel;
+    if (is_ours(d)) {
+      panel = "intaglio" + (d.serial.empty() ? "" : ':' + d.serial);
+    } else if (const auto* const kind = lcd_of(d); kind != nullptr) {
+      panel = kind->name;
+    } else if (is_bridge(d)) {
+      panel = "mcp2221/ssd1306@3c";
+    } else {
+      continue;
+    }
+    const std::string line = "--panel hid:" + panel + ": " + d.title() + " at " + d.path;
+    // hidapi lists a device once a usage.
+    if (std::ranges::find(all, line) == all.end()) all.push_back(line);
+  }
+  return all;
+}
+
+}  // namespace host

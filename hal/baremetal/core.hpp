@@ -14,16 +14,23 @@ void unmask_interrupts() noexcept;
 /// Sleeps until an interrupt wants to be taken, masked or not; returns at once if one already does.
 void wait_for_interrupt() noexcept;
 
+/// The core that is linked in, as a type.
+struct ThisCore {
+  static void mask() noexcept { mask_interrupts(); }
+  static void unmask() noexcept { unmask_interrupts(); }
+  static void wait() noexcept { wait_for_interrupt(); }
+};
+
 /// Sleeps until `done()` is true; an interrupt handler makes it so.
 /// Rule: the test and the sleep are one step with interrupts masked, so an interrupt that comes between them
 /// can't be slept through.
-template <class Done>
+template <class Core = ThisCore, class Done>
 void sleep_until(const Done& done) noexcept {
   for (;;) {
-    mask_interrupts();
+    Core::mask();
     const bool ready = done();
-    if (!ready) wait_for_interrupt();
-    unmask_interrupts();
+    if (!ready) Core::wait();
+    Core::unmask();
     if (ready) return;
   }
 }

@@ -3,8 +3,6 @@
 #include <hal/baremetal/pl110.hpp>
 #include <hal/baremetal/registers.hpp>
 
-#include <algorithm>
-
 namespace hal::baremetal {
 
 namespace {
@@ -67,20 +65,15 @@ Status Pl110::start() noexcept {
 void Pl110::on_interrupt() noexcept {
   if ((read_register(registers_ + interrupt_status) & next_base_update) == 0) return;
   write_register(registers_ + interrupt_clear, next_base_update);
-  vblanks_.store(vblanks_.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
-  if (!staged_.load(std::memory_order_relaxed)) return;
-  std::atomic_signal_fence(std::memory_order_acquire);
-  for (std::size_t i = 0; i < staged_colours_; i += 2) {
-    const std::uintptr_t word = registers_ + palette_words + 2 * i;
-    const std::uint32_t upper = i + 1 < staged_colours_
-                                    ? static_cast<std::uint32_t>(staged_palette_[i + 1]) << 16U
-                                    : read_register(word) & 0xFFFF'0000U;
-    write_register(word, upper | staged_palette_[i]);
-  }
-  write_register(registers_ + upper_base, buffer_address(staged_buffer_));
-  displayed_ = staged_buffer_;
-  std::atomic_signal_fence(std::memory_order_release);
-  staged_.store(false, std::memory_order_relaxed);
+  requests_.on_vblank([this](int buffer, std::size_t colours, const auto& colour) noexcept {
+    for (std::size_t i = 0; i < colours; i += 2) {
+      const std::uintptr_t word = registers_ + palette_words + 2 * i;
+      const std::uint32_t upper = i + 1 < colours ? static_cast<std::uint32_t>(colour(i + 1)) << 16U
+                                                  : read_register(word) & 0xFFFF'0000U;
+      write_register(word, upper | colour(i));
+    }
+    write_register(registers_ + upper_base, buffer_address(buffer));
+  });
 }
 
 std::span<std::uint8_t> Pl110::do_buffer(int index) noexcept {
@@ -96,19 +89,12 @@ std::uint32_t Pl110::buffer_address(int index) noexcept {
 
 Status Pl110::do_show(int index, std::span<const std::uint8_t> palette) noexcept {
   if (!on_) return {Error::unsupported, Part::panel};
-  const bool replaces = do_show_pending();
-  staged_.store(false, std::memory_order_relaxed);
-  std::atomic_signal_fence(std::memory_order_seq_cst);
-  staged_buffer_ = index;
-  const std::size_t colours = palette.size() / 3;
-  staged_colours_ = replaces ? std::max(staged_colours_, colours) : colours;
-  for (std::size_t i = 0; i < colours; ++i) staged_palette_[i] = pack_555(&palette[3 * i]);
-  std::atomic_signal_fence(std::memory_order_seq_cst);
-  staged_.store(true, std::memory_order_relaxed);
+  requests_.request(index, palette.size() / 3,
+                    [palette](std::size_t i) noexcept { return pack_555(&palette[3 * i]); });
   return {};
 }
 
-bool Pl110::do_show_pending() noexcept { return staged_.load(std::memory_order_relaxed); }
+bool Pl110::do_show_pending() noexcept { return requests_.pending(); }
 
 Status Pl110::do_write(const Rect&, std::span<const std::uint8_t>, int) noexcept {
   return {Error::unsupported, Part::buffer};
@@ -117,10 +103,10 @@ Status Pl110::do_write(const Rect&, std::span<const std::uint8_t>, int) noexcept
 // Even a palette alone waits for VBLANK: half a palette on display tears as half a frame does.
 Status Pl110::do_load_palette(std::span<const std::uint8_t> palette) noexcept {
   if (do_show_pending()) return {Error::busy, Part::palette};
-  return do_show(displayed_, palette);
+  return do_show(requests_.on_display(), palette);
 }
 
-std::uint32_t Pl110::do_vblank_count() noexcept { return vblanks_.load(std::memory_order_relaxed); }
+std::uint32_t Pl110::do_vblank_count() noexcept { return requests_.vblanks(); }
 
 Status Pl110::do_wait_for_vblank() noexcept {
   if (!on_) return {Error::timeout, Part::panel};

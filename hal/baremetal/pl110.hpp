@@ -6,17 +6,15 @@
 // Rule: while the controller is on, the base address and the palette are written only by `on_interrupt`, both
 // in the same call, at the "next base" interrupt that begins the vertical blanking. Real parts latch the base
 // address there by themselves; QEMU takes a write at once, so the rule is also what makes it tear-free there.
-// `show` only stages a request: the flag that publishes it is written last, and cleared before it is changed,
-// so the handler sees a whole request or none. One core, so a compiler fence orders the two.
+// `show` only stages a request, by `hal::SwapProtocol`.
 //
 // Pixels: the low bits of a byte are the left pixel at 1, 2 and 4 bits (little-endian mode).
 // Colours: the device keeps the upper 5 bits of each component; QEMU shows component & 0xF8.
 #pragma once
 
 #include <hal/panel.hpp>
+#include <hal/swap_protocol.hpp>
 
-#include <array>
-#include <atomic>
 #include <cstdint>
 #include <span>
 
@@ -66,7 +64,8 @@ class Pl110 final : public Panel {
   }
   Status do_show(int index, std::span<const std::uint8_t> palette) noexcept override;
   [[nodiscard]] bool do_show_pending() noexcept override;
-  [[nodiscard]] int do_on_display() noexcept override { return displayed_; }
+  [[nodiscard]] bool do_show_replaced() noexcept override { return requests_.replaced(); }
+  [[nodiscard]] int do_on_display() noexcept override { return requests_.on_display(); }
   Status do_write(const Rect& area, std::span<const std::uint8_t> pixels, int stride) noexcept override;
   Status do_load_palette(std::span<const std::uint8_t> palette) noexcept override;
   [[nodiscard]] std::uint32_t do_vblank_count() noexcept override;
@@ -78,12 +77,7 @@ class Pl110 final : public Panel {
   std::span<std::uint8_t> memory_;
   Capabilities capabilities_;
   bool on_ = false;
-  int displayed_ = 0;
-  int staged_buffer_ = 0;
-  std::size_t staged_colours_ = 0;
-  std::array<std::uint16_t, 256> staged_palette_{};
-  std::atomic<bool> staged_ = false;
-  std::atomic<std::uint32_t> vblanks_ = 0;
+  SwapProtocol<InterruptCell, std::uint16_t, 256, Feed::scans_out> requests_{};
 };
 
 }  // namespace hal::baremetal

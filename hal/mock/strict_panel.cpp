@@ -217,6 +217,7 @@ Status StrictPanel::do_show(int index, std::span<const std::uint8_t> palette) no
   if (pending_ && !rules_.skipping_frames)
     ADD_FAILURE() << "the frame in buffer " << *pending_
                   << " was never displayed: another was presented before its VBLANK";
+  replaced_ = pending_.has_value();
   if (pending_) {
     buffers_[static_cast<std::size_t>(*pending_)].presented.reset();
   } else {

@@ -143,6 +143,7 @@ class StrictPanel final : public Panel {
   int do_buffer_stride() const noexcept override { return stride_; }
   Status do_show(int index, std::span<const std::uint8_t> palette) noexcept override;
   bool do_show_pending() noexcept override { return pending_.has_value(); }
+  bool do_show_replaced() noexcept override { return replaced_; }
   int do_on_display() noexcept override { return displayed_; }
   Status do_write(const Rect& area, std::span<const std::uint8_t> pixels, int stride) noexcept override;
   Status do_load_palette(std::span<const std::uint8_t> palette) noexcept override;
@@ -174,6 +175,7 @@ class StrictPanel final : public Panel {
   std::vector<std::uint8_t> palette_;
   std::vector<std::uint8_t> pending_palette_;
   std::optional<int> pending_;
+  bool replaced_ = false;  // The last request replaced one that waited.
   int displayed_ = 0;
   std::uint32_t vblanks_ = 0;
   Pattern writes_;

@@ -103,6 +103,7 @@ Status Panel::do_show(int index, std::span<const std::uint8_t> palette) noexcept
   const Nanoseconds now = static_cast<Clock*>(clock_)->now();
   if (pending_)
     for (Observer* const observer : observers_) observer->on_dropped(pending_->frame, now);
+  replaced_ = pending_.has_value();
   Request request{index, ++presented_, pending_ ? pending_->palette : palette_};
   std::copy(palette.begin(), palette.end(), request.palette.begin());
   tell_presented(index, request.frame, request.palette);

@@ -75,6 +75,7 @@ class Panel final : public hal::Panel, private VirtualClock::Listener {
   int do_buffer_stride() const noexcept override { return stride_; }
   Status do_show(int index, std::span<const std::uint8_t> palette) noexcept override;
   bool do_show_pending() noexcept override { return pending_.has_value(); }
+  bool do_show_replaced() noexcept override { return replaced_; }
   int do_on_display() noexcept override { return displayed_; }
   Status do_write(const Rect& area, std::span<const std::uint8_t> pixels, int stride) noexcept override;
   Status do_load_palette(std::span<const std::uint8_t> palette) noexcept override;
@@ -114,6 +115,7 @@ class Panel final : public hal::Panel, private VirtualClock::Listener {
   std::uint32_t displayed_frame_ = 0;
   std::uint32_t presented_ = 0;
   std::optional<Request> pending_;
+  bool replaced_ = false;      // The last request replaced one that waited.
   std::uint64_t refresh_ = 0;  // The refresh whose VBLANK comes next: VBLANKs so far.
   int line_ = 0;               // Its line that comes next.
   std::vector<std::uint8_t> column_;

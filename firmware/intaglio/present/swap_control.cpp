@@ -3,6 +3,6 @@
 
 namespace intaglio::present {
 
-template class GuardedSwapControl<SwapGuards{}>;
+template class GuardedSwapControl<SwapGuards>;
 
 }  // namespace intaglio::present

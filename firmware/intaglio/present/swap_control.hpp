@@ -6,7 +6,7 @@
 // request waits until the one before has taken effect; with `Order::latest` it replaces it, and of the buffer
 // replaced only the panel itself can tell whether it got on display in between (`hal::Panel::on_display`).
 // Where the driver can't tell, both buffers count as on display until nothing is pending.
-// Each rule is a member of `SwapGuards`, so a test can leave it out and see that it is needed: tests/present
+// Each rule is named in `SwapGuards`, so a test can leave it out and see that it is needed: tests/present
 // explores all interleavings with a panel's interrupts.
 #pragma once
 
@@ -16,16 +16,22 @@
 
 namespace intaglio::present {
 
-/// What keeps a swap from going wrong. All on, but in tests.
+/// What keeps a swap from going wrong.
 struct SwapGuards {
-  bool spares_displayed = true;  ///< The buffer on display isn't drawn on.
-  bool spares_pending = true;    ///< Nor is one that waits for its VBLANK.
-  bool waits_for_swap = true;    ///< With `Order::every` no request is replaced.
-  bool keeps_colours = true;     ///< The colours of a dropped frame reach the next.
+  /// The buffer on display isn't drawn on,
+  static constexpr bool spares_displayed = true;
+  /// nor is one that waits for its VBLANK.
+  static constexpr bool spares_pending = true;
+  /// Whether a request waits is asked before what is on display.
+  static constexpr bool asks_in_order = true;
+  /// With `Order::every` no request is replaced.
+  static constexpr bool waits_for_swap = true;
+  /// The colours of a dropped frame reach the next.
+  static constexpr bool keeps_colours = true;
 };
 
 /// The part of a swap chain that doesn't depend on the pixel format.
-template <SwapGuards guards>
+template <class Guards>
 class GuardedSwapControl {
  public:
   /// A pace that `Pacer::check` accepts.
@@ -54,7 +60,8 @@ class GuardedSwapControl {
   [[nodiscard]] int free_buffer() noexcept;
   /// The only buffer, at the beginning of a VBLANK.
   [[nodiscard]] Result<int> acquire_only(bool wait) noexcept;
-  /// True if the request of before, which was pending when this one was made, was replaced by it.
+  /// True if the request of before, which was pending when this one was about to be made, was replaced by it.
+  /// Where the driver can't tell it is taken to be.
   [[nodiscard]] bool was_replaced() noexcept;
   /// The VBLANK at which the request just made takes effect.
   [[nodiscard]] std::uint32_t vblank_of_request() noexcept;
@@ -77,14 +84,15 @@ class GuardedSwapControl {
   KeptColours kept_;
 };
 
-template <SwapGuards guards>
-int GuardedSwapControl<guards>::free_buffer() noexcept {
+template <class Guards>
+int GuardedSwapControl<Guards>::free_buffer() noexcept {
   // In this order: a request that takes effect between the two questions is then held for both reasons.
+  const int before = Guards::asks_in_order ? hal::Panel::unknown : panel_->on_display();
   const bool pending = panel_->show_pending();
-  const int displayed = panel_->on_display();
+  const int displayed = Guards::asks_in_order ? panel_->on_display() : before;
   if (displayed != hal::Panel::unknown) {
-    held_ = pending && guards.spares_pending ? bit(requested_) : 0;
-    if (displayed >= 0 && guards.spares_displayed) held_ |= bit(displayed);
+    held_ = pending && Guards::spares_pending ? bit(requested_) : 0;
+    if (displayed >= 0 && Guards::spares_displayed) held_ |= bit(displayed);
   } else if (!pending) {
     held_ = bit(requested_);
   }
@@ -98,8 +106,8 @@ int GuardedSwapControl<guards>::free_buffer() noexcept {
   return -1;
 }
 
-template <SwapGuards guards>
-Result<int> GuardedSwapControl<guards>::acquire(bool wait) noexcept {
+template <class Guards>
+Result<int> GuardedSwapControl<Guards>::acquire(bool wait) noexcept {
   if (panel_->capabilities().buffers == 1) return acquire_only(wait);
   for (;;) {
     const int buffer = free_buffer();
@@ -112,8 +120,8 @@ Result<int> GuardedSwapControl<guards>::acquire(bool wait) noexcept {
   }
 }
 
-template <SwapGuards guards>
-Result<int> GuardedSwapControl<guards>::acquire_only(bool wait) noexcept {
+template <class Guards>
+Result<int> GuardedSwapControl<Guards>::acquire_only(bool wait) noexcept {
   if (!wait && panel_->show_pending()) return Status{Error::busy, Argument::frame};
   if (const Status s = settle(); !s.ok()) return s;
   if (wait && !at_vblank_of_settling())
@@ -122,17 +130,17 @@ Result<int> GuardedSwapControl<guards>::acquire_only(bool wait) noexcept {
   return 0;
 }
 
-template <SwapGuards guards>
-Status GuardedSwapControl<guards>::release(std::span<const std::uint8_t> palette) noexcept {
+template <class Guards>
+Status GuardedSwapControl<Guards>::release(std::span<const std::uint8_t> palette) noexcept {
   const bool replaces = order_ == Order::latest && panel_->show_pending();
   if (order_ == Order::every) {
     if (const Status s = pacer_.wait(*panel_, 1); !s.ok()) return s;
-    if constexpr (guards.waits_for_swap)
+    if (Guards::waits_for_swap)
       if (const Status s = settle(); !s.ok()) return s;
   }
   const std::uint32_t next = panel_->vblank_count() + 1U;
   if (order_ == Order::every && pacer_.drop(next)) {
-    if constexpr (guards.keeps_colours) kept_.keep(palette);
+    if (Guards::keeps_colours) kept_.keep(palette);
     return {};
   }
   if (const hal::Status s = panel_->show(acquired_, kept_.joined(palette)); !s.ok()) {
@@ -152,13 +160,13 @@ Status GuardedSwapControl<guards>::release(std::span<const std::uint8_t> palette
   return {};
 }
 
-template <SwapGuards guards>
-bool GuardedSwapControl<guards>::was_replaced() noexcept {
-  return panel_->on_display() != requested_;
+template <class Guards>
+bool GuardedSwapControl<Guards>::was_replaced() noexcept {
+  return panel_->on_display() == hal::Panel::unknown || panel_->show_replaced();
 }
 
-template <SwapGuards guards>
-Status GuardedSwapControl<guards>::settle() noexcept {
+template <class Guards>
+Status GuardedSwapControl<Guards>::settle() noexcept {
   while (panel_->show_pending()) {
     if (const hal::Status s = panel_->wait_for_vblank(); !s.ok()) return to_status(s);
     settled_here_ = true;
@@ -167,8 +175,8 @@ Status GuardedSwapControl<guards>::settle() noexcept {
   return {};
 }
 
-template <SwapGuards guards>
-std::uint32_t GuardedSwapControl<guards>::vblank_of_request() noexcept {
+template <class Guards>
+std::uint32_t GuardedSwapControl<Guards>::vblank_of_request() noexcept {
   // A VBLANK may come between the two questions; then they are asked again, for only answers given within the
   // same VBLANK period belong together.
   for (;;) {
@@ -178,7 +186,7 @@ std::uint32_t GuardedSwapControl<guards>::vblank_of_request() noexcept {
   }
 }
 
-using SwapControl = GuardedSwapControl<SwapGuards{}>;
-extern template class GuardedSwapControl<SwapGuards{}>;
+using SwapControl = GuardedSwapControl<SwapGuards>;
+extern template class GuardedSwapControl<SwapGuards>;
 
 }  // namespace intaglio::present

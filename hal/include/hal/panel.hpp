@@ -80,10 +80,13 @@ class Panel {
   Status show(int index, std::span<const std::uint8_t> palette) noexcept;
   /// True while a request of `show` waits for its VBLANK.
   [[nodiscard]] bool show_pending() noexcept { return do_show_pending(); }
+  /// True if the last request of `show` replaced one that never took effect. Meant for drivers that can tell
+  /// what is on display.
+  [[nodiscard]] bool show_replaced() noexcept { return do_show_replaced(); }
   static constexpr int nothing = -1;
   static constexpr int unknown = -2;
-  /// The frame buffer that the device is showing or sending, on which nothing may be drawn; `nothing` if it is
-  /// none of them, `unknown` if the driver can't tell.
+  /// The frame buffer that the device is showing or sending, on which nothing may be drawn; `nothing` if it
+  /// is none of them, `unknown` if the driver can't tell.
   [[nodiscard]] int on_display() noexcept { return do_on_display(); }
 
   /// Sends a rectangle of pixels to a write panel; `stride` bytes from a row to the next.
@@ -108,6 +111,7 @@ class Panel {
   [[nodiscard]] virtual int do_buffer_stride() const noexcept = 0;
   virtual Status do_show(int index, std::span<const std::uint8_t> palette) noexcept = 0;
   [[nodiscard]] virtual bool do_show_pending() noexcept = 0;
+  [[nodiscard]] virtual bool do_show_replaced() noexcept { return false; }
   [[nodiscard]] virtual int do_on_display() noexcept { return unknown; }
   virtual Status do_write(const Rect& area, std::span<const std::uint8_t> pixels, int stride) noexcept = 0;
   virtual Status do_load_palette(std::span<const std::uint8_t> palette) noexcept = 0;

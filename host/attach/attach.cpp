@@ -4,7 +4,10 @@
 #include <host/failure.hpp>
 
 #include <algorithm>
+#include <cstdio>
 #include <exception>
+#include <filesystem>
+#include <system_error>
 
 namespace host {
 
@@ -41,6 +44,31 @@ bool wired(const AttachOptions& options) {
 
 std::string device_of(const AttachOptions& options) {
   return options.panel.substr(scheme_of(options.panel).size());
+}
+
+std::vector<std::string> files_of(const std::string& folder, const std::string& beginning) {
+  std::vector<std::string> found;
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with(beginning)) found.push_back(entry.path().string());
+  }
+  std::ranges::sort(found);
+  return found;
+}
+
+ScreenName screen_of(const AttachOptions& options) {
+  const std::string all = device_of(options);
+  const std::size_t at = all.find('@');
+  ScreenName name{all.substr(0, at)};
+  if (name.device.empty())
+    throw Failure("--panel " + options.panel + " names no device, as in kms:/dev/dri/card0");
+  if (at == std::string::npos) return name;
+  char rest = 0;
+  if (std::sscanf(all.c_str() + at, "@%5dx%5d%c", &name.width, &name.height, &rest) != 2 || name.width < 1 ||
+      name.height < 1)
+    throw Failure("--panel " + options.panel + ": the size of a picture is as in @320x240");
+  return name;
 }
 
 bool means_attached(const AttachOptions& options) {

@@ -27,21 +27,17 @@ struct AttachOptions {
   std::string spi{};    ///< "/dev/spidev0.0"
   std::uint32_t spi_hertz = 10'000'000;
   int spi_mode = 0;
-  std::string i2c{};  ///< "/dev/i2c-1"
-  int address = 0x3C;
+  std::string i2c{};               ///< "/dev/i2c-1"
+  std::optional<int> address{};    ///< None: the controller's usual.
   std::string bitbang{};           ///< "SCK,MOSI,CS" or "SCK,MOSI": lines.
   std::string gpio = "gpiochip0";  ///< The chip of lines that name none.
   std::string data_command{};      ///< Lines: a number, a name, or CHIP:LINE.
   std::string reset{};
   std::string te{};
-  std::string size{};    ///< "240x240", of the glass.
-  std::string offset{};  ///< "0,80": where the glass begins in the controller's memory.
-  int rotate = 0;        ///< 0, 90, 180, 270 degrees.
+  int rotate = 0;  ///< 0, 90, 180, 270 degrees.
   bool invert = false;
-  bool bgr = false;
-  bool mirror = false;
   std::optional<int> contrast{};         ///< 0..255
-  std::uint32_t refresh_millihertz = 0;  ///< 0: as the controller's usual.
+  std::uint32_t refresh_millihertz = 0;  ///< Where the panel doesn't tell it; 0: its usual.
 };
 
 class AttachedPanel {

@@ -29,6 +29,18 @@ std::unique_ptr<AttachedPanel> attach_kms(const AttachOptions& options);
 std::unique_ptr<AttachedPanel> attach_fb(const AttachOptions& options);
 [[nodiscard]] std::vector<std::string> list_fb();
 
+/// Files of a folder whose names begin so, in order.
+[[nodiscard]] std::vector<std::string> files_of(const std::string& folder, const std::string& beginning);
+
+/// A device and the size of the picture on it: "/dev/fb0@320x240".
+struct ScreenName {
+  std::string device;
+  int width = 0;  ///< 0: as large as the device.
+  int height = 0;
+};
+/// Throws Failure.
+[[nodiscard]] ScreenName screen_of(const AttachOptions& options);
+
 /// What follows the scheme in `options.panel`: "/dev/fb0" of "fb:/dev/fb0".
 [[nodiscard]] std::string device_of(const AttachOptions& options);
 

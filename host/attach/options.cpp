@@ -17,7 +17,7 @@ void add_attach_options(CLI::App& app, AttachOptions& options) {
       ->capture_default_str()
       ->group(group);
   app.add_option("--i2c", options.i2c, "I2C bus of the panel, as /dev/i2c-1")->group(group);
-  app.add_option("--address", options.address, "Address of the panel on it (default: 0x3C)")
+  app.add_option("--address", options.address, "Address of the panel on it (default: its usual one)")
       ->check(CLI::Range(0x03, 0x77))
       ->group(group);
   app.add_option("--bitbang", options.bitbang, "SPI by lines of GPIO: SCK,MOSI,CS or SCK,MOSI")->group(group);
@@ -28,23 +28,17 @@ void add_attach_options(CLI::App& app, AttachOptions& options) {
   app.add_option("--reset", options.reset, "Line that resets the panel, low")->group(group);
   app.add_option("--te", options.te, "Line on which the panel tells its VBLANK (tearing effect)")
       ->group(group);
-  app.add_option("--size", options.size, "Size of the glass, as 240x240 (default: the controller's)")
-      ->group(group);
-  app.add_option("--offset", options.offset, "Where the glass begins in the controller's memory, as 0,80")
-      ->group(group);
   app.add_option("--rotate", options.rotate, "Turn the picture clockwise, degrees")
       ->check(CLI::IsMember({0, 90, 180, 270}))
       ->group(group);
-  app.add_flag("--invert", options.invert, "Invert the colours that the panel shows")->group(group);
-  app.add_flag("--bgr", options.bgr, "The glass has its colours the other way round")->group(group);
-  app.add_flag("--mirror", options.mirror, "The columns of the glass count from the right")->group(group);
+  app.add_flag("--invert", options.invert, "Show the negative")->group(group);
   app.add_option("--contrast", options.contrast, "Contrast or brightness, 0 to 255")
       ->check(CLI::Range(0, 255))
       ->group(group);
   app.add_option_function<int>(
          "--refresh",
          [&options](int hertz) { options.refresh_millihertz = static_cast<std::uint32_t>(hertz) * 1000U; },
-         "Refreshes a second, where no line tells them (default: 60)")
+         "Refreshes a second, where the panel tells none or its TE line is silent (default: its usual)")
       ->check(CLI::Range(1, 1000))
       ->group(group);
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // intaglio-draw: pictures from a small language, for shell scripts and for tests in any language.
+#include <host/attach/attach.hpp>
+#include <host/attach/still.hpp>
 #include <host/draw/program.hpp>
 #include <host/failure.hpp>
 #include <host/file.hpp>
@@ -27,6 +29,8 @@ struct Outputs {
   std::string touched;
   bool ascii = false;
   bool digest = false;
+  host::AttachOptions panel;
+  bool hold = false;
 };
 
 /// A binary PGM of bytes as they are, with 255 as the largest, whatever the depth of the surface.
@@ -59,6 +63,9 @@ void write_outputs(const Canvas& canvas, const Outputs& outputs) {
   if (outputs.digest) printed += fmt::format("frame 0 crc32 {:08x}\n", canvas.digest());
   if (std::fwrite(printed.data(), 1, printed.size(), stdout) != printed.size() || std::fflush(stdout) != 0)
     throw host::Failure("writing to standard output failed");
+  if (!outputs.panel.panel.empty())
+    host::show_still_and_leave(outputs.panel, {size.width, size.height, indices, canvas.palette()},
+                               outputs.hold);
 }
 
 int run(int argc, char** argv) {
@@ -73,6 +80,12 @@ int run(int argc, char** argv) {
   app.add_option("--touched", outputs.touched, "Write how often each pixel was written (P5, at most 255)");
   app.add_flag("--ascii", outputs.ascii, "Print one character a pixel: . for index 0, 1-9, a-z, # beyond 35");
   app.add_flag("--digest", outputs.digest, "Print `frame 0 crc32 XXXXXXXX`, as the simulator does");
+  CLI::Option* const panel = app.add_option(
+      "--panel", outputs.panel.panel,
+      "Show the picture on a real panel and leave it there: a controller's name, or SCHEME:DEVICE");
+  app.add_flag("--hold", outputs.hold, "Show it until the program is ended, then blank the panel")
+      ->needs(panel);
+  host::add_attach_options(app, outputs.panel);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

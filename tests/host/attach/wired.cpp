@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Panels that a command line wires up, with models of the controllers at the ends of the wires.
+#include <hal/linux/monotonic_clock.hpp>
+#include <hal/mock/strict_dcs.hpp>
 #include <hal/mock/strict_ssd0323.hpp>
 #include <hal/mock/strict_ssd1306.hpp>
 #include <hal/sim/catalog.hpp>
@@ -104,6 +106,36 @@ TEST_F(Wired, AnSsd0323ShowsWhatTheSimulatorShowsAndIsLeftBlank) {
   shows_what_the_simulator_shows(model, "ssd0323", "oled");
 }
 
+TEST_F(Wired, AnSt7789IsTurnedInvertedAndToldToPulseItsTeLine) {
+  hal::linux_io::MonotonicClock clock;
+  hal::mock::StrictSt7789 model(clock);
+  put_at_the_ends(model);
+  AttachOptions options = by_hand("st7789");
+  options.rotate = 90;
+  options.invert = true;
+  options.te = "TE";
+  {
+    const auto attached = host::attach(options);
+    hal::Panel& panel = attached->panel();
+    EXPECT_EQ(panel.capabilities().width, 320);
+    EXPECT_TRUE(panel.capabilities().vblank_signal);
+    EXPECT_EQ(model.tearing(), hal::mock::StrictSt7789::Tearing::vblank);
+    const std::vector<std::uint8_t> black_red{0, 0, 0, 255, 0, 0};
+    ASSERT_TRUE(panel.load_palette(black_red).ok());
+    const std::vector<std::uint8_t> pixels{0, 1, 1, 1, 0, 1};
+    ASSERT_TRUE(panel.write({10, 20, 3, 2}, pixels, 3).ok());
+    // Turned clockwise: the picture's rows run down the glass, from its right edge on. Negative: red is cyan.
+    const hal::mock::Pattern glass = model.displayed();
+    constexpr int cyan = 0x07FF;
+    constexpr int white = 0xFFFF;
+    for (int i = 0; i < 6; ++i)
+      EXPECT_EQ(glass.at(239 - (20 + i / 3), 10 + i % 3),
+                pixels[static_cast<std::size_t>(i)] == 0 ? white : cyan)
+          << i;
+  }
+  EXPECT_FALSE(model.on());
+}
+
 TEST_F(Wired, APanelThatKeepsItsPictureIsLeftOn) {
   hal::mock::StrictSsd1306 model(128, 64);
   put_at_the_ends(model);
@@ -158,9 +190,6 @@ TEST_F(Wired, OptionsThatMakeNoSenseAreSaid) {
   options = by_hand("ssd1306");
   options.bitbang = "SCK,MOSI,DC";
   EXPECT_THAT(refusal(options), HasSubstr("GPIO line 1 (DC) of gpiochip0 is in use by 'intaglio'"));
-  options = by_hand("ssd1306");
-  options.size = "96x96";
-  EXPECT_THAT(refusal(options), HasSubstr("96x96"));
   options = by_hand("ssd1306");
   options.te = "TE";
   EXPECT_THAT(refusal(options), HasSubstr("--te"));

@@ -163,7 +163,7 @@ struct PalettePart {
 inline constexpr std::uint16_t usage_page = 0xFF49;
 inline constexpr std::uint8_t usage = 0x01;
 inline constexpr std::uint16_t test_vendor = 0x1209;
-inline constexpr std::uint16_t test_product = 0x0001;
+inline constexpr std::uint16_t test_product = 0x0002;
 
 /// The report descriptor: input, output and feature reports without numbers.
 [[nodiscard]] constexpr std::array<std::uint8_t, 35> report_descriptor(std::size_t report_bytes) noexcept {

@@ -28,17 +28,20 @@ namespace intaglio::number {
 
 namespace detail {
 
-/// round(2^12 / sqrt(x)) - 2^8 where x is i + 64 .. i + 65: the reciprocal of the mean of the roots at both
-/// ends.
-[[nodiscard]] consteval std::array<std::uint8_t, 192> make_reciprocal_roots() {
+/// round(f(x)) - 2^8 for x = i + 64 .. i + 65: `rounded(both)` is that of f, both the sum of sqrt(x) * 2^20
+/// at both ends.
+template <class Rounded>
+[[nodiscard]] consteval std::array<std::uint8_t, 192> table_by_roots(Rounded rounded) {
   std::array<std::uint8_t, 192> table{};
   for (std::uint64_t i = 0; i < 192; ++i) {
     const std::uint64_t both = std::uint64_t{isqrt((i + 64) << 40U)} + isqrt((i + 65) << 40U);
-    table[static_cast<std::size_t>(i)] = static_cast<std::uint8_t>(((1ULL << 33U) + both / 2) / both - 256);
+    table[static_cast<std::size_t>(i)] = static_cast<std::uint8_t>(rounded(both) - 256);
   }
   return table;
 }
-inline constexpr std::array<std::uint8_t, 192> reciprocal_roots = make_reciprocal_roots();
+/// Of 2^12 / sqrt(x): the reciprocal of the mean of the roots at both ends.
+inline constexpr std::array<std::uint8_t, 192> reciprocal_roots =
+    table_by_roots([](std::uint64_t both) { return ((1ULL << 33U) + both / 2) / both; });
 
 /// A number, shifted up, and its reciprocal root in ever better approximations.
 class ReciprocalRootSeed {

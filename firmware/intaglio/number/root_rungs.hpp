@@ -34,17 +34,9 @@ namespace intaglio::number {
 
 namespace detail {
 
-/// round(2^5 * sqrt(x)) - 2^8 where x is i + 64 .. i + 65: the mean of both ends.
-[[nodiscard]] consteval std::array<std::uint8_t, 192> make_roots() {
-  std::array<std::uint8_t, 192> table{};
-  for (std::uint64_t i = 0; i < 192; ++i) {
-    const std::uint64_t both = std::uint64_t{isqrt((i + 64) << 40U)} + isqrt((i + 65) << 40U);
-    table[static_cast<std::size_t>(i)] =
-        static_cast<std::uint8_t>((both + (1ULL << 15U)) / (1ULL << 16U) - 256);
-  }
-  return table;
-}
-inline constexpr std::array<std::uint8_t, 192> roots = make_roots();
+/// Of 2^5 * sqrt(x): the mean of both ends.
+inline constexpr std::array<std::uint8_t, 192> roots =
+    table_by_roots([](std::uint64_t both) { return (both + (1ULL << 15U)) / (1ULL << 16U); });
 
 /// The root from the table; n > 0.
 [[nodiscard]] constexpr std::uint32_t root_by_table(std::uint32_t n) noexcept {

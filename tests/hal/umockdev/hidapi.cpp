@@ -38,13 +38,13 @@ using Bytes = std::vector<std::uint8_t>;
 
 constexpr const char* sysfs =
     "P: /devices/virt/usb1/1-1\nE: DEVTYPE=usb_device\nE: SUBSYSTEM=usb\nA: idVendor=1209\\n\n"
-    "A: idProduct=0001\\n\nA: manufacturer=Intaglio\nA: product=Intaglio display\nA: bcdDevice=0100\\n\n\n"
+    "A: idProduct=0002\\n\nA: manufacturer=Intaglio\nA: product=Intaglio display\nA: bcdDevice=0100\\n\n\n"
     "P: /devices/virt/usb1/1-1/1-1:1.0\nE: DEVTYPE=usb_interface\nE: SUBSYSTEM=usb\nA: "
     "bInterfaceNumber=00\\n\n\n"
-    "P: /devices/virt/usb1/1-1/1-1:1.0/0003:1209:0001.0001\nE: SUBSYSTEM=hid\n"
-    "E: HID_ID=0003:00001209:00000001\nE: HID_NAME=Intaglio display\nE: HID_UNIQ=S1\nE: HID_PHYS=x\n"
-    "A: uevent=HID_ID=0003:00001209:00000001\\nHID_NAME=Intaglio display\\nHID_UNIQ=S1\\n\n\n"
-    "P: /devices/virt/usb1/1-1/1-1:1.0/0003:1209:0001.0001/hidraw/hidraw0\nN: hidraw0\nE: SUBSYSTEM=hidraw\n"
+    "P: /devices/virt/usb1/1-1/1-1:1.0/0003:1209:0002.0001\nE: SUBSYSTEM=hid\n"
+    "E: HID_ID=0003:00001209:00000002\nE: HID_NAME=Intaglio display\nE: HID_UNIQ=S1\nE: HID_PHYS=x\n"
+    "A: uevent=HID_ID=0003:00001209:00000002\\nHID_NAME=Intaglio display\\nHID_UNIQ=S1\\n\n\n"
+    "P: /devices/virt/usb1/1-1/1-1:1.0/0003:1209:0002.0001/hidraw/hidraw0\nN: hidraw0\nE: SUBSYSTEM=hidraw\n"
     "E: DEVNAME=/dev/hidraw0\nE: MAJOR=240\nE: MINOR=0\nL: device=../..\nA: dev=240:0\\n\n";
 
 /// All of it, with the report descriptor, whose usage tells what the device is.
@@ -175,14 +175,15 @@ class HidApiOverHidraw : public testing::Test {
 };
 
 TEST_F(HidApiOverHidraw, FindsTheDeviceByItsUsage) {
-  const auto devices = HidApi::over(HidApi::Way::hidraw).devices(0x1209, 1);
+  const auto devices =
+      HidApi::over(HidApi::Way::hidraw).devices(hal::hid::test_vendor, hal::hid::test_product);
   ASSERT_EQ(devices.size(), 1U);
   EXPECT_EQ(devices[0].path, "/dev/hidraw0");
   EXPECT_EQ(devices[0].serial, "S1");
   EXPECT_EQ(devices[0].product, "Intaglio display");
   EXPECT_EQ(devices[0].usage_page, hal::hid::usage_page);
   EXPECT_EQ(devices[0].usage, hal::hid::usage);
-  EXPECT_TRUE(HidApi::over(HidApi::Way::hidraw).devices(0x1209, 2).empty());
+  EXPECT_TRUE(HidApi::over(HidApi::Way::hidraw).devices(hal::hid::test_vendor, 7).empty());
 }
 
 TEST_F(HidApiOverHidraw, ShowsFramesAndSaysWhenTheDeviceIsGone) {
@@ -208,7 +209,7 @@ TEST_F(HidApiOverHidraw, ShowsFramesAndSaysWhenTheDeviceIsGone) {
     gadget_.gone = true;
   }
   EXPECT_EQ(panel.show(0, {}).error(), hal::Error::disconnected);
-  EXPECT_NE(port.fault().find("1209:0001 (Intaglio display) at /dev/hidraw0 was unplugged"),
+  EXPECT_NE(port.fault().find("1209:0002 (Intaglio display) at /dev/hidraw0 was unplugged"),
             std::string::npos)
       << port.fault();
   // Back again, restarted: the same serial number.
@@ -239,7 +240,7 @@ TEST_F(HidApiOverHidraw, NamesTheDeviceThatItCannotOpen) {
     const hal::hid::HidApiPort port(api, device, hal::hid::Numbering::none);
     FAIL() << "a device that isn't there was opened";
   } catch (const hal::hid::HidError& error) {
-    EXPECT_NE(std::string(error.what()).find("1209:0001"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("1209:0002"), std::string::npos) << error.what();
     EXPECT_NE(std::string(error.what()).find("/dev/hidraw7"), std::string::npos) << error.what();
   }
 }

@@ -74,7 +74,7 @@ void shows_every_pixel(const DcsOptions& module, const DcsGlass& mounted, unsign
     const auto entries = std::size_t{3} << static_cast<unsigned>(options.bits_per_pixel);
     ASSERT_TRUE(panel.load_palette(std::span(palette).first(entries)).ok());
     glass::random_writes_show(panel, model, rotation, seed, rounds, seen_through(palette));
-    glass::beam_runs_as_told(panel.capabilities(), model, rotation);
+    EXPECT_TRUE(glass::beam_runs_as_told(panel.capabilities(), model, rotation));
   }
 }
 
@@ -124,7 +124,7 @@ TEST(St7789, TheBeamCanRunUpTheGlass) {
     St7789 panel(port, clock, nullptr, {.rotation = rotation, .invert = true, .scan_up = true});
     ASSERT_TRUE(panel.start().ok());
     EXPECT_EQ(model.beam_row(0), 319);
-    glass::beam_runs_as_told(panel.capabilities(), model, rotation);
+    EXPECT_TRUE(glass::beam_runs_as_told(panel.capabilities(), model, rotation));
   }
 }
 

@@ -3,9 +3,9 @@
 // Racing the beam: windows against brute force over every start, and pictures on a panel whose bus takes time
 // and whose glass remembers what each refresh showed.
 #include <hal/sim/virtual_clock.hpp>
-#include <hal/vblank.hpp>
 #include <intaglio/present/bands.hpp>
 #include <tests/oracle/samples.hpp>
+#include <tests/present/slow_panel.hpp>
 
 #include <gtest/gtest.h>
 
@@ -34,6 +34,7 @@ using intaglio::present::picture_window;
 using intaglio::present::start_window;
 using intaglio::present::StartWindow;
 using intaglio::present::Travel;
+using slow::SlowPanel;
 
 /// By the definition, moment by moment: no line is fetched, in the refresh before or the one wanted, while it
 /// is being sent, or sent before the former or after the latter.
@@ -146,121 +147,6 @@ TEST(BeamRace, ABusMayTakeNearlyTwoRefreshes) {
   EXPECT_EQ(window.earliest, 500'000 + 66'666 - 16'666'667) << "right behind the beam";
   EXPECT_EQ(window.latest, 500'000 + 239 * 66'666 - 18'000'000) << "before it comes again";
 }
-
-/// A panel of rows and columns of bytes behind a bus that takes time. A beam fetches a line's first half at
-/// the beginning of the line's time and its second at the end; refreshes that saw two values are torn.
-class SlowPanel final : public hal::Panel, public hal::VblankSource, private VirtualClock::Listener {
- public:
-  SlowPanel(VirtualClock& clock, int width, int height, ScanDirection scan, const BeamTiming& timing)
-      : glass(static_cast<std::size_t>(width * height)),
-        clock_(&clock),
-        timing_(timing),
-        capabilities_{.width = width, .height = height, .buffers = 0, .scan = scan} {
-    clock.attach(*this);
-  }
-  ~SlowPanel() override { clock_->detach(*this); }
-
-  std::vector<std::uint8_t> glass;
-  std::uint64_t refreshes = 0;
-  std::uint64_t torn = 0;
-  std::vector<bool> silent;      ///< VBLANKs, modulo their number, that aren't told.
-  Nanoseconds signal_delay = 0;  ///< A signal comes so much late.
-  Nanoseconds extra_per_write = 0;
-  int writes_until_fault = -1;
-
- private:
-  int width() const { return capabilities_.width; }
-  int height() const { return capabilities_.height; }
-  bool sideways() const {
-    return capabilities_.scan == ScanDirection::left || capabilities_.scan == ScanDirection::right;
-  }
-  int lines() const { return sideways() ? width() : height(); }
-  std::uint8_t& pixel(int x, int y) { return glass[static_cast<std::size_t>(y * width() + x)]; }
-
-  const hal::Capabilities& do_capabilities() const noexcept override { return capabilities_; }
-  std::span<std::uint8_t> do_buffer(int) noexcept override { return {}; }
-  int do_buffer_stride() const noexcept override { return 0; }
-  hal::Status do_show(int, std::span<const std::uint8_t>) noexcept override { return {}; }
-  bool do_show_pending() noexcept override { return false; }
-  hal::Status do_load_palette(std::span<const std::uint8_t>) noexcept override { return {}; }
-  std::uint32_t do_vblank_count() noexcept override { return do_count(); }
-  hal::Status do_wait_for_vblank() noexcept override { return do_wait(); }
-  hal::Status do_write(const hal::Rect& r, std::span<const std::uint8_t> pixels,
-                       int stride) noexcept override {
-    if (writes_until_fault == 0) return {hal::Error::bus, hal::Part::bus};
-    if (writes_until_fault > 0) --writes_until_fault;
-    clock_->advance(timing_.bus_band + extra_per_write);
-    const Nanoseconds start = clock_->now();
-    const Nanoseconds all = timing_.bus_line * static_cast<Nanoseconds>(sideways() ? r.width : r.height);
-    for (int y = 0; y < r.height; ++y)
-      for (int half = 0; half < 2; ++half) {
-        for (int x = half * r.width / 2; x < (half + 1) * r.width / 2; ++x)
-          pixel(r.x + x, r.y + y) = pixels[static_cast<std::size_t>(y * stride + x)];
-        clock_->wait_until(start + all * static_cast<Nanoseconds>(2 * y + half + 1) /
-                                       static_cast<Nanoseconds>(2 * r.height));
-      }
-    return {};
-  }
-
-  bool told(std::uint64_t vblank) const { return silent.empty() || !silent[vblank % silent.size()]; }
-  /// The signals given until now; VBLANK n (from 1 on) begins at (n - 1) refreshes.
-  std::uint32_t do_count() noexcept override {
-    while (told_ * timing_.refresh + signal_delay <= clock_->now()) {
-      if (told(told_)) {
-        ++count_;
-        last_ = told_ * timing_.refresh + signal_delay;
-      }
-      ++told_;
-    }
-    return count_;
-  }
-  hal::Status do_wait() noexcept override {
-    const std::uint32_t before = do_count();
-    while (do_count() == before) clock_->wait_until(told_ * timing_.refresh + signal_delay);
-    return {};
-  }
-  Nanoseconds do_last() noexcept override {
-    do_count();
-    return last_;
-  }
-
-  void before_time_moves(Nanoseconds time) override {
-    for (;;) {
-      const Nanoseconds line_begin = refreshes * timing_.refresh + timing_.first_line +
-                                     static_cast<Nanoseconds>(line_) * timing_.scan_line;
-      // The end of a line is over just before the next begins.
-      if ((half_ == 0 ? line_begin : line_begin + timing_.scan_line) > time) return;
-      fetch();
-    }
-  }
-  void fetch() {
-    const bool back = capabilities_.scan == ScanDirection::up || capabilities_.scan == ScanDirection::left;
-    const int line = back ? lines() - 1 - line_ : line_;
-    const int length = sideways() ? height() : width();
-    for (int i = half_ * length / 2; i < (half_ + 1) * length / 2; ++i) {
-      const std::uint8_t value = sideways() ? pixel(line, i) : pixel(i, line);
-      if (line_ == 0 && half_ == 0 && i == 0) value_ = value;
-      mixed_ = mixed_ || value != value_;
-    }
-    half_ = 1 - half_;
-    if (half_ == 1 || ++line_ < lines()) return;
-    line_ = 0;
-    torn += mixed_ ? 1U : 0U;
-    mixed_ = false;
-    ++refreshes;
-  }
-
-  VirtualClock* clock_;
-  BeamTiming timing_;
-  hal::Capabilities capabilities_;
-  std::uint64_t told_ = 0;
-  std::uint32_t count_ = 0;
-  Nanoseconds last_ = 0;
-  int line_ = 0;
-  int half_ = 0;
-  std::uint8_t value_ = 0;
-  bool mixed_ = false;
-};
 
 constexpr int width = 24;
 constexpr int height = 18;

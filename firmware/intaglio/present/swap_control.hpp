@@ -60,6 +60,8 @@ class GuardedSwapControl {
   [[nodiscard]] int free_buffer() noexcept;
   /// The only buffer, at the beginning of a VBLANK.
   [[nodiscard]] Result<int> acquire_only(bool wait) noexcept;
+  /// Returns when a request may be made. Errors: device.
+  [[nodiscard]] Status await_turn() noexcept;
   /// True if the request of before, which was pending when this one was about to be made, was replaced by it.
   /// Where the driver can't tell it is taken to be.
   [[nodiscard]] bool was_replaced() noexcept;
@@ -131,22 +133,31 @@ Result<int> GuardedSwapControl<Guards>::acquire_only(bool wait) noexcept {
 }
 
 template <class Guards>
+Status GuardedSwapControl<Guards>::await_turn() noexcept {
+  if (order_ == Order::latest) return {};
+  if (const Status s = pacer_.wait(*panel_, 1); !s.ok()) return s;
+  return Guards::waits_for_swap ? settle() : Status{};
+}
+
+template <class Guards>
 Status GuardedSwapControl<Guards>::release(std::span<const std::uint8_t> palette) noexcept {
   const bool replaces = order_ == Order::latest && panel_->show_pending();
-  if (order_ == Order::every) {
-    if (const Status s = pacer_.wait(*panel_, 1); !s.ok()) return s;
-    if (Guards::waits_for_swap)
-      if (const Status s = settle(); !s.ok()) return s;
-  }
+  Status s = await_turn();
   const std::uint32_t next = panel_->vblank_count() + 1U;
-  if (order_ == Order::every && pacer_.drop(next)) {
+  if (s.ok() && order_ == Order::every && pacer_.drop(next)) {
     if (Guards::keeps_colours) kept_.keep(palette);
     return {};
   }
-  if (const hal::Status s = panel_->show(acquired_, kept_.joined(palette)); !s.ok()) {
-    pacer_.lost(next);
+  if (s.ok()) s = to_status(panel_->show(acquired_, kept_.joined(palette)));
+  if (!s.ok()) {
+    if (order_ == Order::every) {
+      pacer_.lost(next);
+    } else {  // It had no VBLANK of its own to miss.
+      pacer_.replaced();
+      before_.replaced();
+    }
     kept_.keep(palette);
-    return to_status(s);
+    return s;
   }
   kept_.forget();
   if (replaces && was_replaced()) {

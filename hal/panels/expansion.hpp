@@ -6,9 +6,9 @@
 // - RGB565: each channel is rounded to the nearest of its 32 or 64 levels, halves up; high byte first.
 // - Grey: luma of Rec. 709 in 1/256 (54, 183 and 19 for red, green and blue), then the nearest level.
 // - Dither: a pixel is lit if the light of its grey exceeds the threshold of its place in an 8x8 Bayer
-//   matrix, which repeats over the panel from its corner; so what a place shows depends on colour and place
-//   alone, and neighbouring partial writes fit. Light of grey g is (g/255)^2 * (0.71 + 0.29 * g/255), within
-//   0.4 % of full light of the sRGB curve.
+//   matrix (book 11.2.1), which repeats over the panel from its corner; so what a place shows depends on
+//   colour and place alone, and neighbouring partial writes fit. Light of grey g is (g/255)^2 * (0.71 + 0.29
+//   * g/255), within 0.4 % of full light of the sRGB curve.
 // Bit budget: the largest product is 255^3 * 256, below 2^32.
 #pragma once
 
@@ -52,11 +52,11 @@ struct IndexRow {
 
 /// Threshold of a place, 0..63: every value once in 8x8 places.
 [[nodiscard]] constexpr unsigned bayer_threshold(int x, int y) noexcept {
-  const unsigned columns = static_cast<unsigned>(x);
-  const unsigned mixed = columns ^ static_cast<unsigned>(y);
+  const unsigned rows = static_cast<unsigned>(y);
+  const unsigned mixed = rows ^ static_cast<unsigned>(x);
   unsigned threshold = 0;
   for (unsigned bit = 0; bit < 3; ++bit)
-    threshold = threshold << 2U | (mixed >> bit & 1U) << 1U | (columns >> bit & 1U);
+    threshold = threshold << 2U | (mixed >> bit & 1U) << 1U | (rows >> bit & 1U);
   return threshold;
 }
 

@@ -23,6 +23,10 @@ BusPanel& place(ModuleStorage& storage, Arguments&&... arguments) noexcept {
   return *std::construct_at(at, arguments...);
 }
 
+std::uint32_t refresh_of(const ModuleParts& parts, std::uint32_t own) noexcept {
+  return parts.options.refresh_millihertz == 0 ? own : parts.options.refresh_millihertz;
+}
+
 template <class Driver, const DcsOptions& module>
 BusPanel& make_dcs(ModuleStorage& storage, const ModuleParts& parts) noexcept {
   DcsOptions options = module;
@@ -31,6 +35,8 @@ BusPanel& make_dcs(ModuleStorage& storage, const ModuleParts& parts) noexcept {
   options.invert = module.invert != parts.options.negative;
   options.te = parts.options.te;
   options.te_line = parts.options.te_line;
+  options.scan_up = parts.options.scan_up;
+  options.refresh_millihertz = refresh_of(parts, module.refresh_millihertz);
   options.contrast = parts.options.contrast.value_or(module.contrast);
   options.workspace = parts.options.workspace;
   return place<Driver>(storage, *parts.port, *parts.clock, parts.vblank, options);
@@ -41,6 +47,7 @@ BusPanel& make_ssd1322(ModuleStorage& storage, const ModuleParts& parts) noexcep
   options.rotation = parts.options.rotation;
   options.negative = parts.options.negative;
   options.contrast = parts.options.contrast.value_or(options.contrast);
+  options.refresh_millihertz = refresh_of(parts, options.refresh_millihertz);
   return place<Ssd1322>(storage, *parts.port, parts.clock, parts.vblank, options);
 }
 
@@ -48,6 +55,7 @@ BusPanel& make_ssd0323(ModuleStorage& storage, const ModuleParts& parts) noexcep
   Ssd0323Options options;
   options.rotation = parts.options.rotation;
   options.negative = parts.options.negative;
+  options.refresh_millihertz = refresh_of(parts, options.refresh_millihertz);
   if (parts.options.contrast) options.contrast = static_cast<std::uint8_t>(*parts.options.contrast / 2);
   return place<Ssd0323>(storage, *parts.port, parts.clock, options);
 }
@@ -57,7 +65,9 @@ BusPanel& make_ssd1306(ModuleStorage& storage, const ModuleParts& parts) noexcep
   const Ssd1306Options options{.rotation = parts.options.rotation,
                                .negative = parts.options.negative,
                                .contrast = parts.options.contrast};
-  return place<Ssd1306>(storage, *parts.port, module, parts.clock, options);
+  Ssd1306Module used = module;
+  used.refresh_millihertz = refresh_of(parts, module.refresh_millihertz);
+  return place<Ssd1306>(storage, *parts.port, used, parts.clock, options);
 }
 
 constexpr auto table = std::to_array<Module>({
@@ -88,6 +98,7 @@ constexpr auto table = std::to_array<Module>({
      .height = 320,
      .spi = true,
      .te = true,
+     .refresh_millihertz = 61'000,
      .make = make_dcs<Ili9341, ili9341_240x320>},
     {.name = "ili9341-320x240",
      .description = "the same on its side",
@@ -95,6 +106,7 @@ constexpr auto table = std::to_array<Module>({
      .height = 240,
      .spi = true,
      .te = true,
+     .refresh_millihertz = 61'000,
      .make = make_dcs<Ili9341, ili9341_320x240>},
     {.name = "ssd1322",
      .description = "SSD1322 OLED, 16 greys",

@@ -29,6 +29,10 @@ struct ModuleOptions {
   /// Modules with a TE output only.
   TearingEffect te = TearingEffect::off;
   int te_line = 0;
+  /// TFT modules only: the glass is refreshed from its last row to its first.
+  bool scan_up = false;
+  /// Frames a second times 1000, counted by the clock where there is no TE line; 0: the module's own.
+  std::uint32_t refresh_millihertz = 0;
   /// As in `DcsOptions`.
   std::span<std::uint8_t> workspace{};
 };
@@ -67,6 +71,8 @@ struct Module {
   I2cFraming i2c_framing = I2cFraming::stream;
   /// It has a TE output.
   bool te = false;
+  /// Its own frames a second times 1000.
+  std::uint32_t refresh_millihertz = 60'000;
   /// Makes the driver in `storage`, whose last driver ends.
   BusPanel& (*make)(ModuleStorage& storage, const ModuleParts& parts) noexcept = nullptr;
 };

@@ -42,15 +42,29 @@ constexpr std::array<std::uint8_t, 4> remap_bits{split_rows | remap_nibbles | re
                                                  split_rows | remap_columns | remap_rows,
                                                  split_rows | remap_columns, split_rows | remap_nibbles};
 
+bool valid(const Ssd0323Options& o) noexcept {
+  return o.contrast <= 127 && o.offset <= 79 && o.refresh_millihertz >= 1 && o.rotation <= Rotation::by_270;
+}
+
+/// Options that do no harm until `start` refuses them.
+Ssd0323Options harmless(const Ssd0323Options& options) noexcept {
+  return valid(options) ? options : Ssd0323Options{};
+}
+
+Capabilities capabilities_of(const Ssd0323Options& o) noexcept {
+  return grey_capabilities(Ssd0323::width, Ssd0323::height, 2, o.rotation, o.refresh_millihertz);
+}
+
 }  // namespace
 
 Ssd0323::Ssd0323(CommandPort& port, Clock* frame_clock, const Ssd0323Options& options) noexcept
-    : BusPanel(grey_capabilities(width, height, 2, options.rotation, options.refresh_millihertz),
-               frame_clock),
+    : BusPanel(capabilities_of(harmless(options)), frame_clock),
       port_(port),
-      options_(options) {}
+      options_(harmless(options)),
+      valid_(valid(options)) {}
 
 Status Ssd0323::do_start() noexcept {
+  if (!valid_) return {Error::invalid, Part::panel};
   // The voltages and timings are those the maker of the 128x64 glass gives for it.
   // clang-format off
   const auto setup = std::to_array<std::uint8_t>({

@@ -23,7 +23,7 @@ struct Ssd0323Options {
   std::uint8_t contrast = 0x70;  ///< 0..127.
   /// Display offset: the memory row that the glass shows first.
   std::uint8_t offset = 0;
-  /// Frames a second times 1000, counted by the frame clock: the controller has no VBLANK signal.
+  /// Frames a second times 1000, at least 1, counted by the frame clock: the controller has no VBLANK signal.
   std::uint32_t refresh_millihertz = 60'000;
   Rotation rotation = Rotation::by_0;
   /// Shows the picture's negative.
@@ -49,6 +49,7 @@ class Ssd0323 final : public BusPanel {
 
   SyncedPort port_;
   Ssd0323Options options_;
+  bool valid_;
 };
 
 }  // namespace hal::panels

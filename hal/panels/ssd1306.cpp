@@ -114,6 +114,18 @@ Capabilities capabilities_of(const Ssd1306Module& module, Rotation rotation) noe
 bool mirrors_columns(Rotation r) noexcept { return r == Rotation::by_90 || r == Rotation::by_180; }
 bool mirrors_rows(Rotation r) noexcept { return r == Rotation::by_180 || r == Rotation::by_270; }
 
+bool valid(const Ssd1306Module& m, Rotation rotation) noexcept {
+  return m.memory_columns >= 1 && m.memory_columns <= 132 && m.width >= 1 && m.width <= m.memory_columns &&
+         m.height >= 1 && m.height <= 64 && m.column_offset >= 0 &&
+         m.column_offset <= m.memory_columns - m.width && m.refresh_millihertz >= 1 &&
+         rotation <= Rotation::by_270;
+}
+
+/// What does no harm until `start` refuses it.
+const Ssd1306Module& harmless(const Ssd1306Module& module, Rotation rotation) noexcept {
+  return valid(module, rotation) ? module : ssd1306_128x64;
+}
+
 }  // namespace
 
 constinit const Ssd1306Module ssd1306_128x64{.width = 128, .height = 64, .setup = setup_ssd1306_64};
@@ -129,15 +141,17 @@ constinit const Ssd1306Module ssd0303_96x16{.width = 96,
 
 Ssd1306::Ssd1306(CommandPort& port, const Ssd1306Module& module, Clock* frame_clock,
                  const Ssd1306Options& options) noexcept
-    : BusPanel(capabilities_of(module, options.rotation), frame_clock),
+    : BusPanel(capabilities_of(harmless(module, options.rotation), options.rotation), frame_clock),
       port_(port),
-      module_(module),
+      module_(harmless(module, options.rotation)),
       options_(options),
+      valid_(valid(module, options.rotation)),
       first_column_(mirrors_columns(options.rotation)
-                        ? module.memory_columns - module.column_offset - module.width
-                        : module.column_offset) {}
+                        ? module_.memory_columns - module_.column_offset - module_.width
+                        : module_.column_offset) {}
 
 Status Ssd1306::do_start() noexcept {
+  if (!valid_) return {Error::invalid, Part::panel};
   if (const Status s = do_sleep(true); !s.ok()) return s;
   if (const Status s = port_.command(module_.setup); !s.ok()) return s;
   const bool reversed = module_.segments_reversed != mirrors_columns(options_.rotation);

@@ -32,7 +32,8 @@ struct Ssd1306Module {
   bool segments_reversed = true;
   /// Commands sent with the display off, before the memory is cleared.
   std::span<const std::uint8_t> setup{};
-  /// Frames a second times 1000, counted by the frame clock: the controllers have no VBLANK signal.
+  /// Frames a second times 1000, at least 1, counted by the frame clock: the controllers have no VBLANK
+  /// signal.
   std::uint32_t refresh_millihertz = 60'000;
 };
 
@@ -72,6 +73,7 @@ class Ssd1306 final : public BusPanel {
   SyncedPort port_;
   Ssd1306Module module_;
   Ssd1306Options options_;
+  bool valid_;
   int first_column_;  // The memory column of the picture's first, or of its first row if it is turned.
 };
 

@@ -58,6 +58,7 @@ TEST(Modules, EveryNameMakesADriverThatShowsPictures) {
       hal::panels::BusPanel& panel =
           module.make(storage, {.port = &port, .clock = &clock, .options = {.rotation = rotation}});
       const hal::Capabilities& c = panel.capabilities();
+      EXPECT_EQ(c.refresh_millihertz, module.refresh_millihertz);
       const bool quarter = rotation == Rotation::by_90 || rotation == Rotation::by_270;
       EXPECT_EQ(quarter ? c.height : c.width, module.width);
       EXPECT_EQ(quarter ? c.width : c.height, module.height);
@@ -90,6 +91,16 @@ TEST(Modules, EveryNameMakesADriverThatShowsPictures) {
       ASSERT_TRUE(panel.stop().ok());
     }
   }
+  hal::sim::VirtualClock clock;
+  const auto model = model_of("st7789", clock);
+  hal::panels::SpiPort port(model->spi(), model->data_command());
+  const hal::Capabilities& c =
+      hal::panels::find_module("st7789")
+          ->make(storage,
+                 {.port = &port, .clock = &clock, .options = {.scan_up = true, .refresh_millihertz = 50'000}})
+          .capabilities();
+  EXPECT_EQ(c.refresh_millihertz, 50'000U);
+  EXPECT_EQ(c.scan, hal::ScanDirection::up);
   EXPECT_EQ(hal::panels::find_module("st7788"), nullptr);
   EXPECT_EQ(hal::panels::find_module(""), nullptr);
 }

@@ -161,6 +161,31 @@ TEST(Ssd1322, OptionsThatCannotBeAreRefusedAndNothingIsSent) {
   }
 }
 
+TEST(OledPanels, OptionsThatCannotBeAreRefusedAndNothingIsSent) {
+  StrictSsd0323 grey;
+  SpiPort grey_port(grey.spi(), grey.data_command());
+  const std::array<hal::panels::Ssd0323Options, 4> options{
+      {{.contrast = 128}, {.offset = 80}, {.refresh_millihertz = 0}, {.rotation = static_cast<Rotation>(4)}}};
+  for (const auto& o : options) {
+    Ssd0323 panel(grey_port, nullptr, o);
+    EXPECT_EQ(panel.start(), hal::Status(hal::Error::invalid, hal::Part::panel));
+  }
+  StrictSsd1306 mono(128, 64);
+  SpiPort mono_port(mono.spi(), mono.data_command());
+  const std::array<Ssd1306Module, 7> modules{{{},
+                                              {.width = 128, .height = 65},
+                                              {.width = 129, .height = 64},
+                                              {.width = 128, .height = 64, .column_offset = 1},
+                                              {.width = 8, .height = 8, .column_offset = -1},
+                                              {.width = 8, .height = 8, .memory_columns = INT32_MAX},
+                                              {.width = 8, .height = 8, .refresh_millihertz = 0}}};
+  for (const Ssd1306Module& module : modules) {
+    Ssd1306 panel(mono_port, module);
+    EXPECT_EQ(panel.start(), hal::Status(hal::Error::invalid, hal::Part::panel));
+  }
+  EXPECT_EQ(grey.transfers() + mono.transfers(), 0);
+}
+
 /// Any colours.
 std::vector<std::uint8_t> colours() {
   std::vector<std::uint8_t> all(768);
@@ -235,6 +260,29 @@ TEST(ExpandedPanel, DithersTheSameWhateverThePartsItIsWrittenIn) {
     }
     if (first.pixels.empty()) first = model.displayed();
     EXPECT_EQ(side_by_side(first, model.displayed(), false), "") << size;
+  }
+}
+
+/// The book's matrix of thresholds, by its recursion from [[0, 2], [3, 1]].
+int recursive_threshold(int size, int x, int y) {
+  if (size == 1) return 0;
+  constexpr std::array<std::array<int, 2>, 2> smallest{{{0, 2}, {3, 1}}};
+  const int half = size / 2;
+  const int quarter = smallest[static_cast<std::size_t>(y / half)][static_cast<std::size_t>(x / half)];
+  return 4 * recursive_threshold(half, x % half, y % half) + quarter;
+}
+
+TEST(ExpandedPanel, ThresholdsAreTheRecursiveMatrixAndMakeNoStripes) {
+  for (int y = 0; y < 8; ++y) {
+    int row = 0;
+    int column = 0;
+    for (int x = 0; x < 8; ++x) {
+      EXPECT_EQ(static_cast<int>(hal::panels::bayer_threshold(x, y)), recursive_threshold(8, x, y));
+      row += hal::panels::bayer_threshold(x, y) < 32 ? 1 : 0;
+      column += hal::panels::bayer_threshold(y, x) < 32 ? 1 : 0;
+    }
+    EXPECT_EQ(row, 4);
+    EXPECT_EQ(column, 4);
   }
 }
 

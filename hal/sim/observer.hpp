@@ -18,14 +18,15 @@ struct ScannedLine {
   int line = 0;               ///< Lines of this refresh before this one.
   int y = 0;                  ///< The row; the column on panels scanned by columns.
   Nanoseconds time = 0;
-  std::span<const std::uint8_t> pixels;   ///< Packed as the panel's format says.
-  std::span<const std::uint8_t> palette;  ///< Red, green, blue, three bytes an entry.
+  /// Packed as the panel's format says; red, green, blue where colours are applied as pixels are written.
+  std::span<const std::uint8_t> pixels;
+  std::span<const std::uint8_t> palette;  ///< Red, green, blue, three bytes an entry; empty for such pixels.
 };
 
 /// A picture that the program asked to be shown.
 struct PresentedFrame {
   std::uint32_t number = 0;              ///< Requests of `show` so far; 0: what was there at the start.
-  std::span<const std::uint8_t> pixels;  ///< Rows `stride` bytes apart.
+  std::span<const std::uint8_t> pixels;  ///< Rows `stride` bytes apart, as those of a line.
   int stride = 0;
   std::span<const std::uint8_t> palette;  ///< As it will be when the frame is on display.
 };

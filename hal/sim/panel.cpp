@@ -25,11 +25,14 @@ Panel::Panel(PanelSpec spec, VirtualClock& clock, const Effects& effects)
   stride_ = row_bytes(c.width, c.bits_per_pixel) + spec_.row_padding;
   const auto bytes = static_cast<std::size_t>(stride_) * static_cast<std::size_t>(c.height);
   buffers_.assign(static_cast<std::size_t>(std::max(c.buffers, 1)), std::vector<std::uint8_t>(bytes));
+  if (c.palette_on_write)
+    colours_.resize(3U * static_cast<std::size_t>(c.width) * static_cast<std::size_t>(c.height));
   palette_ = spec_.fixed_colours;
   if (c.palette_entries > 0) palette_.assign(static_cast<std::size_t>(c.palette_entries) * 3U, 0);
   if (effects.garbage) {
     for (std::size_t i = 0; i < buffers_.size(); ++i) fill_with_garbage(*effects.garbage, i, buffers_[i]);
     if (c.palette_entries > 0) fill_with_garbage(*effects.garbage, buffers_.size(), palette_);
+    fill_with_garbage(*effects.garbage, buffers_.size() + 1U, colours_);
   }
   begin_refresh(static_cast<Clock&>(clock).now());
   clock_->attach(*this);
@@ -74,12 +77,18 @@ std::span<const std::uint8_t> Panel::row(int y) const {
       .subspan(first, static_cast<std::size_t>(row_bytes(c.width, c.bits_per_pixel)));
 }
 
+std::span<const std::uint8_t> Panel::memory(int buffer) const {
+  return colours_.empty() ? buffers_[static_cast<std::size_t>(buffer)] : colours_;
+}
+
 Picture Panel::displayed() const {
   const Capabilities& c = spec_.capabilities;
   Picture picture{c.width, c.height, {}, {}};
   for (int y = 0; y < c.height; ++y)
     for (int x = 0; x < c.width; ++x)
       picture.indices.push_back(pixel_at(row(y), x, c.bits_per_pixel, c.bit_order));
+  picture.rgb = colours_;
+  if (!colours_.empty()) return picture;
   for (const std::uint8_t index : picture.indices)
     for (std::size_t channel = 0; channel < 3; ++channel)
       picture.rgb.push_back(colour(palette_, index, channel));
@@ -122,8 +131,13 @@ Status Panel::do_write(const Rect& area, std::span<const std::uint8_t> pixels, i
     const auto from = pixels.subspan(static_cast<std::size_t>(y) * static_cast<std::size_t>(stride));
     const auto to = std::span(buffers_[0])
                         .subspan(static_cast<std::size_t>(area.y + y) * static_cast<std::size_t>(stride_));
-    set_pixel(to, area.x + x, c.bits_per_pixel, c.bit_order,
-              pixel_at(from, x, c.bits_per_pixel, c.bit_order));
+    const std::uint8_t index = pixel_at(from, x, c.bits_per_pixel, c.bit_order);
+    set_pixel(to, area.x + x, c.bits_per_pixel, c.bit_order, index);
+    if (!c.palette_on_write) return;
+    const std::size_t place = static_cast<std::size_t>(area.y + y) * static_cast<std::size_t>(c.width) +
+                              static_cast<std::size_t>(area.x + x);
+    for (std::size_t channel = 0; channel < 3; ++channel)
+      colours_[3U * place + channel] = colour(palette_, index, channel);
   };
   Transfer transfer{static_cast<Clock*>(clock_)->now(), 0, 0, area, do_vblank_count()};
   if (bus_) {
@@ -144,7 +158,8 @@ Status Panel::do_load_palette(std::span<const std::uint8_t> palette) noexcept {
     tell_transfer(transfer);
   }
   std::copy(palette.begin(), palette.end(), palette_.begin());
-  tell_presented(displayed_, displayed_frame_, palette_);
+  // Where colours are applied to pixels as they are written, what is shown stays as it is.
+  if (!spec_.capabilities.palette_on_write) tell_presented(displayed_, displayed_frame_, palette_);
   return {};
 }
 
@@ -188,10 +203,9 @@ void Panel::before_time_moves(Nanoseconds time) {
 
 void Panel::scan_line() {
   const Capabilities& c = spec_.capabilities;
-  const auto memory = std::span<const std::uint8_t>(buffers_[static_cast<std::size_t>(displayed_)]);
-  const ScannedLine line{
-      refresh_, line_, place_of(c, line_), time_of(line_), line_pixels(c, memory, stride_, line_, column_),
-      palette_};
+  const auto pixels = line_pixels(c, memory(displayed_), memory_stride(), line_, column_);
+  const ScannedLine line{refresh_,       line_,  place_of(c, line_),
+                         time_of(line_), pixels, palette_in_effect(palette_)};
   for (Observer* const observer : observers_) observer->on_line(line);
   ++line_;
 }
@@ -219,7 +233,7 @@ void Panel::take_effect(Nanoseconds time) {
 
 void Panel::tell_presented(int buffer, std::uint32_t frame, std::span<const std::uint8_t> palette) const {
   for (Observer* const observer : observers_)
-    observer->on_presented({frame, buffers_[static_cast<std::size_t>(buffer)], stride_, palette});
+    observer->on_presented({frame, memory(buffer), memory_stride(), palette_in_effect(palette)});
 }
 
 void Panel::tell_transfer(const Transfer& transfer) const {

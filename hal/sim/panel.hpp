@@ -91,6 +91,15 @@ class Panel final : public hal::Panel, private VirtualClock::Listener {
   void set_times();
   void begin_refresh(Nanoseconds time);
   [[nodiscard]] std::span<const std::uint8_t> row(int y) const;
+  /// The palette that a line is looked up in: none, where the beam fetches colours.
+  [[nodiscard]] std::span<const std::uint8_t> palette_in_effect(std::span<const std::uint8_t> palette) const {
+    return colours_.empty() ? palette : std::span<const std::uint8_t>();
+  }
+  /// What the beam fetches, and the distance of its rows.
+  [[nodiscard]] std::span<const std::uint8_t> memory(int buffer) const;
+  [[nodiscard]] int memory_stride() const {
+    return colours_.empty() ? stride_ : 3 * spec_.capabilities.width;
+  }
   void scan_line();
   void begin_vblank();
   void take_effect(Nanoseconds time);
@@ -111,6 +120,7 @@ class Panel final : public hal::Panel, private VirtualClock::Listener {
   int stride_ = 0;
   std::vector<std::vector<std::uint8_t>> buffers_;  // A write panel's own memory is buffer 0.
   std::vector<std::uint8_t> palette_;
+  std::vector<std::uint8_t> colours_;  // Of pixels as they were written, where `palette_on_write`.
   int displayed_ = 0;
   std::uint32_t displayed_frame_ = 0;
   std::uint32_t presented_ = 0;

@@ -155,6 +155,8 @@ class Report {
     const auto side = [&frame](std::optional<std::uint32_t> number) {
       return part(number ? std::optional(std::min(*number, frame.number + 1U)) : number);
     };
+    if (!tears.front()->above && !tears.front()->below)
+      return fmt::format("no {} was of one frame alone", line);
     // Where bus and beam run abreast, lines of both frames alternate, and some are half sent.
     if (!frame.transfers.empty() && tears.size() > 1)
       return fmt::format("{} up to {} {}, {} from {} on, both in between", side(tears.front()->above), line,

@@ -383,6 +383,34 @@ TEST(LatchEffect, ColoursThatArentHeldBackChangeInTheMiddleOfAPicture) {
   EXPECT_EQ(detector.tears()[0].line, 4);
 }
 
+TEST(WritePanel, ColoursAppliedAsPixelsAreWrittenStayUntilTheyAreWrittenAgain) {
+  for (const ScanDirection scan : {ScanDirection::down, ScanDirection::right}) {
+    VirtualClock clock;
+    Effects effects;
+    effects.scan = scan;
+    PanelSpec spec = write_panel(4, 4, 5);
+    spec.capabilities.palette_on_write = true;
+    Panel panel(spec, clock, effects);
+    TearingDetector detector(panel);
+    ASSERT_TRUE(panel.load_palette(Bytes{0, 0, 0, 10, 20, 30}).ok());
+    ASSERT_TRUE(panel.write({0, 0, 4, 4}, Bytes(16, 1), 4).ok());
+    panel.mark_frame();
+    clock.advance(panel.frame_time());
+    ASSERT_TRUE(panel.load_palette(Bytes{0, 0, 0, 40, 50, 60}).ok());
+    EXPECT_EQ(panel.displayed().rgb[0], 10);
+    clock.wait_until(panel.frame_time() + 2U * panel.line_time() + 1U);
+    ASSERT_TRUE(panel.write({0, 0, 4, 4}, Bytes(16, 1), 4).ok());
+    panel.mark_frame();
+    EXPECT_EQ(panel.displayed().rgb[0], 40);
+    EXPECT_EQ(panel.displayed().rgb[47], 60);
+    EXPECT_EQ(panel.displayed().indices[0], 1);
+    clock.advance(panel.frame_time());
+    ASSERT_EQ(detector.tears().size(), 1U) << "the same indices in other colours are another picture";
+    EXPECT_EQ(detector.tears()[0].refresh, 1U);
+    EXPECT_EQ(detector.tears()[0].line, 3);
+  }
+}
+
 TEST(GarbageEffect, MemoryIsNoiseUntilItIsWritten) {
   const auto picture = [](std::uint64_t seed) {
     VirtualClock clock;

@@ -60,9 +60,11 @@ void Glass::on_line(const ScannedLine& line) {
     const std::size_t across = static_cast<std::size_t>(i);
     const std::size_t along = static_cast<std::size_t>(line.y);
     const std::size_t place = columns ? across * width + along : along * width + across;
-    const std::size_t index = pixel_at(line.pixels, i, c.bits_per_pixel, c.bit_order);
+    const std::size_t index =
+        c.palette_on_write ? 0 : pixel_at(line.pixels, i, c.bits_per_pixel, c.bit_order);
     for (std::size_t channel = 0; channel < 3; ++channel)
-      scanning_[3U * place + channel] = panel_->colour(line.palette, index, channel);
+      scanning_[3U * place + channel] = c.palette_on_write ? line.pixels[3U * across + channel]
+                                                           : panel_->colour(line.palette, index, channel);
   }
 }
 

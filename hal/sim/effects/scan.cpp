@@ -15,7 +15,13 @@ std::span<const std::uint8_t> line_pixels(const Capabilities& c, std::span<const
   column.assign(bytes_of_line, 0);
   for (int y = 0; y < c.height; ++y) {
     const auto row = memory.subspan(static_cast<std::size_t>(y) * bytes);
-    set_pixel(column, y, c.bits_per_pixel, c.bit_order, pixel_at(row, place, c.bits_per_pixel, c.bit_order));
+    if (c.palette_on_write) {
+      for (std::size_t i = 0; i < 3; ++i)
+        column[3U * static_cast<std::size_t>(y) + i] = row[3U * static_cast<std::size_t>(place) + i];
+    } else {
+      set_pixel(column, y, c.bits_per_pixel, c.bit_order,
+                pixel_at(row, place, c.bits_per_pixel, c.bit_order));
+    }
   }
   return column;
 }

@@ -22,9 +22,14 @@ namespace hal::sim {
 [[nodiscard]] constexpr int lines_of(const Capabilities& c) {
   return by_columns(c.scan) ? c.width : c.height;
 }
+/// Bits of a pixel in the memory that the beam fetches: colours of three bytes where they are applied as
+/// pixels are written.
+[[nodiscard]] constexpr int memory_bits(const Capabilities& c) {
+  return c.palette_on_write ? 24 : c.bits_per_pixel;
+}
 /// Bytes of a line.
 [[nodiscard]] constexpr int line_bytes(const Capabilities& c) {
-  return row_bytes(by_columns(c.scan) ? c.height : c.width, c.bits_per_pixel);
+  return row_bytes(by_columns(c.scan) ? c.height : c.width, memory_bits(c));
 }
 /// The row or column that is line `line` of the beam.
 [[nodiscard]] constexpr int place_of(const Capabilities& c, int line) {

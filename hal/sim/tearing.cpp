@@ -17,9 +17,10 @@ constexpr std::size_t most_waiting = 32;
 
 }  // namespace
 
-std::string to_text(const Tear& tear) {
-  const auto part = [](std::optional<std::uint32_t> frame) {
-    return frame ? "frame " + std::to_string(*frame) : std::string("an unfinished picture");
+std::string to_text(const Tear& tear, std::uint32_t first) {
+  const auto part = [first](std::optional<std::uint32_t> frame) -> std::string {
+    if (!frame) return "an unfinished picture";
+    return *frame == 0 ? "what was there at the start" : "frame " + std::to_string(*frame - 1U + first);
   };
   const bool columns = by_columns(tear.scan);
   const bool backwards = tear.scan == ScanDirection::up || tear.scan == ScanDirection::left;

@@ -40,7 +40,8 @@ struct Tear {
 
 /// As in "refresh 12, line 97: frame 11 above, frame 12 below"; by columns "column 9: frame 11 on the left,
 /// ...".
-[[nodiscard]] std::string to_text(const Tear& tear);
+/// `first`: how the first frame is called, which the panel counts as 1.
+[[nodiscard]] std::string to_text(const Tear& tear, std::uint32_t first = 1);
 
 /// Watches a panel from its next whole refresh on. Must die before the panel.
 class TearingDetector final : public Observer {

@@ -115,10 +115,9 @@ class Report {
 
   [[nodiscard]] std::string lateness(const FrameRecord& frame) const {
     const Nanoseconds budget = timeline_.budget();
-    std::string text =
-        fmt::format("Frame {} was late by {}: due {} after the frame before, it came after {}. {} of {}.",
-                    frame.number, refreshes(frame.late), ms(budget), ms(frame.time - frame.deadline->begin),
-                    capital(made_of(frame)), ms(budget));
+    std::string text = fmt::format(
+        "Frame {} was late by {}: due {} after the frame before, it came after {}. {}.", frame.number,
+        refreshes(frame.late), ms(budget), ms(frame.time - frame.deadline->begin), capital(made_of(frame)));
     // On a write panel the time to send the frame before is gone, too.
     const FrameRecord* const before = frame.number > 0 ? &timeline_.frames()[frame.number - 1U] : nullptr;
     const Nanoseconds drawing = frame.draw ? frame.draw->length() : 0;

@@ -21,7 +21,11 @@ std::variant<Options, int> parse_command_line(int argc, const char* const* argv)
   app.add_option("--fps", options.frames_per_second, "Frames a second")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
-  app.add_option("--png", options.png, "Write the last frame to this file");
+  CLI::Option* const png = app.add_option("--png", options.png, "Write the last frame to this file");
+  app.add_option(
+         "--png-of", options.png_of,
+         "Write this frame instead, counted from 0; this refresh with effects that are seen by refreshes")
+      ->needs(png);
   app.add_option("--apng", options.animation,
                  "Write the animation to this file (default: PROGRAM.png in the working folder)");
   app.add_option(

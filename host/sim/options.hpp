@@ -19,6 +19,7 @@ struct Options {
   std::optional<std::uint32_t> frames;   ///< None: until the user ends it, or 120 where nobody looks.
   int frames_per_second = 60;            ///< 1..1000
   std::optional<std::string> png;        ///< Where the last frame goes.
+  std::optional<std::uint32_t> png_of;   ///< The frame or refresh that goes there instead.
   std::optional<std::string> animation;  ///< Where all frames go.
   std::string effects;                   ///< What the panel does to a picture; empty: it is ideal.
   std::optional<std::string> trace;      ///< Where the record of what happened when goes.

@@ -144,7 +144,7 @@ class Simulation {
     constexpr std::size_t most = 5;
     const std::vector<hal::sim::Tear>& tears = tearing_->tears();
     for (std::size_t i = 0; i < std::min(tears.size(), most); ++i)
-      fmt::print(stderr, "torn picture: {}\n", hal::sim::to_text(tears[i]));
+      fmt::print(stderr, "torn picture: {}\n", hal::sim::to_text(tears[i], 0));
     if (tears.size() > most) fmt::print(stderr, "... and {} more\n", tears.size() - most);
   }
 
@@ -156,6 +156,7 @@ class Simulation {
     picture_.width = view.width;
     picture_.height = view.height;
     picture_.bytes = std::move(view.rgb);
+    if (pictures_ == options_.png_of) asked_for_ = picture_;
     ++pictures_;
     if (recording) animation_->add(picture_);
     if (!viewer_ || closed_) return;
@@ -167,12 +168,14 @@ class Simulation {
 
   void finish_files() {
     if (still_) {
-      still_->add(picture_);
+      if (options_.png_of && !asked_for_)
+        throw Failure(fmt::format("--png-of {}: there were only {} pictures", *options_.png_of, pictures_));
+      still_->add(asked_for_ ? *asked_for_ : picture_);
       still_->finish();
     }
     if (animation_) animation_->finish();
     if (options_.digest) return;
-    if (still_) fmt::print("Last picture: {}\n", *options_.png);
+    if (still_) fmt::print("{}: {}\n", options_.png_of ? "Picture" : "Last picture", *options_.png);
     if (!animation_) return;
     const std::uint32_t recorded = animation_->frames();
     const std::string_view what = glass_.by_refresh() ? "refreshes" : "frames";
@@ -204,6 +207,7 @@ class Simulation {
   bool closed_ = false;
   std::chrono::steady_clock::time_point start_;
   RgbPicture picture_;
+  std::optional<RgbPicture> asked_for_;  // The one of --png-of.
 };
 
 }  // namespace

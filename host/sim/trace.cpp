@@ -93,7 +93,7 @@ void write_trace(const std::string& path, const Timeline& timeline,
       if (tear.refresh == refresh.number)
         events.instant(
             Track::scan_out, refresh.scan.begin, "torn",
-            fmt::format(R"({},"line":{},"what":"{}")", argument, tear.line, hal::sim::to_text(tear)));
+            fmt::format(R"({},"line":{},"what":"{}")", argument, tear.line, hal::sim::to_text(tear, 0)));
   }
   for (const hal::Nanoseconds edge : timeline.te_edges()) events.instant(Track::vblank, edge, "TE");
 

@@ -205,7 +205,7 @@ TEST(GridEffect, CellsAreLaidOutAsTheRuleSays) {
             bool lit = column < scale - 1 && y % scale < scale - 1;
             const int stripe = stripes == hal::sim::Stripes::bgr ? 2 - component : component;
             if (stripes != hal::sim::Stripes::none)
-              lit = lit && column >= stripe * (scale - 1) / 3 && column < (stripe + 1) * (scale - 1) / 3;
+              lit = lit && scale >= 4 && column / ((scale - 1) / 3) == stripe;
             const int pixel = y / scale * width + x / scale;
             const int found = large[static_cast<std::size_t>(3 * (y * width * scale + x) + component)];
             if (found != (lit ? rgb[static_cast<std::size_t>(3 * pixel + component)] : 0)) ++wrong;

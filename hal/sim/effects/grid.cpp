@@ -10,12 +10,13 @@ std::vector<std::uint8_t> enlarge(const PixelGrid& grid, int width, int height,
   const auto columns = static_cast<std::size_t>(width);
   const std::size_t row = 3U * columns * scale;
   std::vector<std::uint8_t> large(row * scale * static_cast<std::size_t>(height));
-  // Which component a column of a cell shows; 3: all of them.
-  std::vector<std::size_t> shown(scale - 1U, 3U);
-  if (grid.stripes != Stripes::none)
-    for (std::size_t stripe = 0; stripe < 3; ++stripe)
-      for (std::size_t x = stripe * (scale - 1U) / 3U; x < (stripe + 1U) * (scale - 1U) / 3U; ++x)
-        shown[x] = grid.stripes == Stripes::rgb ? stripe : 2U - stripe;
+  // Which component a column of a cell shows; 3: all of them, 4: none.
+  std::vector<std::size_t> shown(scale - 1U, grid.stripes == Stripes::none ? 3U : 4U);
+  if (grid.stripes != Stripes::none) {
+    const std::size_t wide = (scale - 1U) / 3U;
+    for (std::size_t x = 0; x < 3U * wide; ++x)
+      shown[x] = grid.stripes == Stripes::rgb ? x / wide : 2U - x / wide;
+  }
   for (std::size_t y = 0; y < static_cast<std::size_t>(height); ++y) {
     for (std::size_t x = 0; x < columns; ++x) {
       const auto pixel = rgb.subspan(3U * (y * columns + x), 3);

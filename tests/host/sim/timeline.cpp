@@ -78,7 +78,7 @@ TEST(Explain, AFrameThatTookTooLongToDrawWasLate) {
             "3 frames in 4 refreshes of 16.67 ms: 0 torn, 1 late, 0 dropped.\n"
             "Frame 1 was late by 1 refresh: due 16.67 ms after the frame before, it came after 33.33 ms. "
             "Drawing took "
-            "20.00 ms of 16.67 ms. Drawing alone takes longer than a frame may.\n");
+            "20.00 ms. Drawing alone takes longer than a frame may.\n");
 }
 
 TEST(Explain, AFrameThatWasReplacedWasDropped) {

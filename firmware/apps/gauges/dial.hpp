@@ -149,23 +149,34 @@ class DialPainter {
       return;
     }
     canvas_.disc(ink::steel_dark, place_.centre, place_.radius);
-    draw_metal((place_.radius - 1) * one + one / 2, 1);
-    if (rim_ >= 4) draw_metal((place_.radius - rim_ / 2) * one, -1);
-    if (rim_ >= 4) canvas_.disc(ink::shadow, place_.centre, place_.radius - rim_ + 1);
+    const int outer = (place_.radius - 1) * one + one / 2;
+    const int face = (place_.radius - rim_) * one;
+    if (rim_ < 4) {
+      draw_metal(outer, face - one, 1);
+      return;
+    }
+    const int ridge = (place_.radius - rim_ / 2) * one;
+    draw_metal(outer, ridge - one, 1);
+    draw_metal(ridge, face, -1);
+    canvas_.disc(ink::shadow, place_.centre, place_.radius - rim_ + 1);
   }
 
-  // A disc of metal of that radius; slope 1 rises towards the middle, -1 falls.
-  void draw_metal(int radius, int slope) {
+  // A ring of metal between these radii; slope 1 rises towards the middle, -1 falls. What is drawn over it
+  // has to hide its inner edge.
+  void draw_metal(int outer, int inner, int slope) {
     const int wedges = Knobs::wedges;
     const int step = Angle::turn / wedges;
+    std::array<SubPoint, 2> begin{at(inner, {}), at(outer, {})};
     for (int i = 0; i < wedges; ++i) {
       // Bright where the light comes from, and a little again on the far side, as turned metal is.
       const Angle middle = Angle::from_steps(i * step + step / 2 + Angle::turn / 8);
       const int facing = slope * intaglio::number::cosine<Sine>(middle).raw();
       const int glow = facing > 0 ? facing : -facing / 3;
-      canvas_.polygon(ink::bezel + (glow * (ink::bezel_steps - 1) >> 15),
-                      std::array<SubPoint, 3>{at(radius, Angle::from_steps(i * step)),
-                                              at(radius, Angle::from_steps((i + 1) * step)), centre_});
+      const Angle to = Angle::from_steps((i + 1) * step);
+      const std::array<SubPoint, 2> end{at(inner, to), at(outer, to)};
+      canvas_.quadrangle(ink::bezel + (glow * (ink::bezel_steps - 1) >> 15),
+                         {begin[0], begin[1], end[1], end[0]});
+      begin = end;
     }
   }
 
@@ -189,8 +200,7 @@ class DialPainter {
     for (int i = 0; i < ink::arc_segments; ++i) {
       const Angle from = angle_of(i * 18 + 1, ink::arc_segments * 18);
       const Angle to = angle_of(i * 18 + 1 + part, ink::arc_segments * 18);
-      canvas_.polygon(scale_.arc + i, std::array<SubPoint, 4>{at(outer, from), at(outer, to), at(inner, to),
-                                                              at(inner, from)});
+      canvas_.quadrangle(scale_.arc + i, {at(outer, from), at(outer, to), at(inner, to), at(inner, from)});
     }
   }
 

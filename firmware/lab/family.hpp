@@ -95,6 +95,18 @@ template <FamilyOfRungs F>
   }
 }
 
+/// True if a rung takes all inputs of a load: `F::takes<R>(load)`, or always. Others it would refuse, so it
+/// isn't measured under that load. A rung whose domain isn't all of its family's says in words what it is:
+/// `static constexpr std::string_view domain`.
+template <FamilyOfRungs F, class R>
+[[nodiscard]] constexpr bool takes(int load) noexcept {
+  if constexpr (requires { F::template takes<R>(load); }) {
+    return F::template takes<R>(load);
+  } else {
+    return true;
+  }
+}
+
 /// Makes the canvas what a load begins with: empty, or what `F::prepare(load)` draws then. Not counted.
 template <FamilyOfRungs F>
 void prepare(int load) noexcept {

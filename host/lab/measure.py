@@ -62,14 +62,19 @@ def families(work):
     return found
 
 
+def measured_loads(family):
+    """(load, rungs that take it) of a family; where a rung refuses a load it has no bound."""
+    for index, load in enumerate(family["loads"]):
+        yield load["name"], [rung["name"] for rung in family["rungs"] if rung["bounds"][index] is not None]
+
+
 def slots(all_families):
     """(family, load, rung) in the order in which they are counted; the rung None is the loop alone."""
     by_file = sorted(all_families.values(), key=lambda family: family["program"].name)
     for family in by_file:
-        for load in family["loads"]:
-            yield family["name"], load["name"], None
-            for rung in family["rungs"]:
-                yield family["name"], load["name"], rung["name"]
+        for load, rungs in measured_loads(family):
+            for rung in (None, *rungs):
+                yield family["name"], load, rung
 
 
 def _count_in_qemu(core, folder, program):
@@ -217,12 +222,11 @@ def errors(work, all_families, full):
     """By (family, load, rung): worst, mean, worst_input, points, how."""
     pieces = {}
     for family in all_families.values():
-        for load in family["loads"]:
-            for rung in family["rungs"]:
-                command = [family["program"], "measure", rung["name"], load["name"], *(["--full"] if full else [])]
+        for load, rungs in measured_loads(family):
+            for rung in rungs:
+                command = [family["program"], "measure", rung, load, *(["--full"] if full else [])]
                 key = ("errors", work.hash_of(family["program"]), *map(str, command[1:]))
-                pieces[family["name"], load["name"], rung["name"]] = (
-                    key, lambda command=command: json.loads(run(*command)))
+                pieces[family["name"], load, rung] = key, lambda command=command: json.loads(run(*command))
     return work.do("errors", pieces)
 
 

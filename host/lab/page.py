@@ -113,7 +113,8 @@ def _family(family, rows):
         shown = pictures(family, load["name"], per_core[0]["rows"]) if per_core else []
         loads.append({**load, "cores": per_core, "pictures": shown})
     slack = {rung["name"]: rung["slack"] for rung in family["rungs"] if rung["slack"]}
-    return {**family, "load_tables": loads, "slack": slack}
+    domains = {rung["name"]: rung["domain"] for rung in family["rungs"] if rung["domain"]}
+    return {**family, "load_tables": loads, "slack": slack, "domains": domains}
 
 
 def write(path, families, rows, errors, fragments, compilers):

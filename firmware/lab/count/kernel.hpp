@@ -41,6 +41,7 @@ inline std::array<std::uint32_t, most_calls> results{};
 
 template <FamilyOfRungs F, class R>
 void count(const typename F::Input* inputs, int load) noexcept {
+  if (!takes<F, R>(load)) return;
   const int calls = F::loads[load].calls;
   prepare<F>(load);
   const std::uintptr_t here = stack_pointer();
@@ -65,7 +66,7 @@ void count_all(number::Family<R...> /*rungs*/) noexcept {
 
 }  // namespace detail
 
-/// Counts a family: load by load, first the loop alone, then its rungs in order.
+/// Counts a family: load by load, first the loop alone, then the rungs that take the load in order.
 template <FamilyOfRungs F>
 void count_family() noexcept {
   detail::count_all<F>(typename F::Rungs{});

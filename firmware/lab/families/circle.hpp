@@ -12,6 +12,7 @@
 #include <intaglio/raster/circle.hpp>
 #include <intaglio/raster/sink.hpp>
 #include <intaglio/raster/solid.hpp>
+#include <intaglio/status.hpp>
 
 #include <cstdint>
 #include <firmware/lab/family.hpp>
@@ -40,13 +41,20 @@ void put_octants(const S& sink, intaglio::linear::Point centre, int x, int y) no
   }
 }
 
-/// As many points of an octant as it has columns and one more, each rounded to a pixel. Radius up to 16,383.
+/// A radius of 0 .. most; else what is wrong with it.
+[[nodiscard]] constexpr intaglio::Status check_radius(int radius, int most) noexcept {
+  if (radius < 0 || radius > most) return {intaglio::Error::out_of_domain, intaglio::Argument::radius};
+  return {};
+}
+
+/// As many points of an octant as it has columns and one more, each rounded to a pixel.
 struct SineCircle {
   static constexpr number::Bound bound{168'000, number::Unit::wrong_pixel};
+  static constexpr std::string_view domain = "radius up to 16,383";
   static constexpr int most = 16'383;
   template <class S>
-  bool operator()(const S& sink, intaglio::linear::Point centre, int radius) const noexcept {
-    if (radius < 0 || radius > most) return false;
+  intaglio::Status operator()(const S& sink, intaglio::linear::Point centre, int radius) const noexcept {
+    if (const auto status = check_radius(radius, most); !status.ok()) return status;
     constexpr unsigned octant = 8192U << 16U;
     const unsigned points = static_cast<unsigned>(radius) + 1;
     const unsigned step = octant / points;
@@ -55,7 +63,7 @@ struct SineCircle {
       const auto turn = number::Angle::from_steps(static_cast<int>(angle >> 16U));
       put_octants(sink, centre, scaled(number::sine(turn).raw()), scaled(number::cosine(turn).raw()));
     }
-    return true;
+    return {};
   }
 };
 
@@ -64,8 +72,8 @@ template <class Int, int most>
 struct MidpointCircle {
   static constexpr number::Bound bound = number::exactly(number::Unit::wrong_pixel);
   template <class S>
-  bool operator()(const S& sink, intaglio::linear::Point centre, int radius) const noexcept {
-    if (radius < 0 || radius > most) return false;
+  intaglio::Status operator()(const S& sink, intaglio::linear::Point centre, int radius) const noexcept {
+    if (const auto status = check_radius(radius, most); !status.ok()) return status;
     Int x = 0;
     auto y = static_cast<Int>(radius);
     auto error = static_cast<Int>(-radius);  // x^2 + y^2 - y - r^2
@@ -78,10 +86,12 @@ struct MidpointCircle {
         error = static_cast<Int>(error - 2 * y);
       }
     }
-    return true;
+    return {};
   }
 };
-struct MidpointCircle16 : MidpointCircle<std::int16_t, 16'383> {};
+struct MidpointCircle16 : MidpointCircle<std::int16_t, 16'383> {
+  static constexpr std::string_view domain = SineCircle::domain;
+};
 struct MidpointCircle32 : MidpointCircle<std::int32_t, intaglio::linear::coordinate_limit> {};
 struct MidpointCircle64 : MidpointCircle<std::int64_t, intaglio::linear::coordinate_limit> {};
 
@@ -89,8 +99,8 @@ struct MidpointCircle64 : MidpointCircle<std::int64_t, intaglio::linear::coordin
 struct CursorCircle {
   static constexpr number::Bound bound = MidpointCircle16::bound;
   template <class S>
-  bool operator()(const S& sink, intaglio::linear::Point centre, int radius) const noexcept {
-    return intaglio::raster::draw_circle(sink, centre, radius).ok();
+  intaglio::Status operator()(const S& sink, intaglio::linear::Point centre, int radius) const noexcept {
+    return intaglio::raster::draw_circle(sink, centre, radius);
   }
 };
 
@@ -116,7 +126,7 @@ struct Circle {
   template <class R>
   static std::uint32_t run(const Input& in) noexcept {
     const intaglio::raster::Solid<image::Indexed8> pen(canvas(), 1);
-    return R{}(pen, in.centre, in.radius) ? 1 : 0;
+    return R{}(pen, in.centre, in.radius).ok() ? 1 : 0;
   }
 
   /// Of the table of sines: the most that any circle of the load has wrong, all tried. (With a radius of

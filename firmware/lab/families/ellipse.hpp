@@ -3,7 +3,7 @@
 // The family of ellipses: outlines by a table of sines, and by the midpoint's error in 16, 32 and 64 bits.
 //
 // Bit budget of the midpoint, in quarters: 8*max(a^2*b, a*b^2), so 16 bits hold for half axes up to 15, 32 up
-// to 645, 64 for all of the domain. Rungs of fewer bits go on with the next more where theirs don't do.
+// to 645, 64 for all of the domain. Rungs refuse longer ones, and aren't measured under loads that have them.
 // Unlike the library's ellipse these go around all of it, visible or not.
 #pragma once
 
@@ -13,6 +13,7 @@
 #include <intaglio/raster/ellipse.hpp>
 #include <intaglio/raster/sink.hpp>
 #include <intaglio/raster/solid.hpp>
+#include <intaglio/status.hpp>
 
 #include <cstdint>
 #include <firmware/lab/family.hpp>
@@ -34,13 +35,21 @@ void put_quadrants(const S& sink, intaglio::linear::Point centre, int across, in
   put(centre.x - across, centre.y - down);
 }
 
-/// As many points of a quadrant as it has columns and rows, each rounded to a pixel. Half axes up to 16,383.
+/// Half axes of 0 .. most; else what is wrong with them.
+[[nodiscard]] constexpr intaglio::Status check_axes(int a, int b, int most) noexcept {
+  if (a < 0 || b < 0 || a > most || b > most)
+    return {intaglio::Error::out_of_domain, intaglio::Argument::radius};
+  return {};
+}
+
+/// As many points of a quadrant as it has columns and rows, each rounded to a pixel.
 struct SineEllipse {
   static constexpr number::Bound bound{152'000, number::Unit::wrong_pixel};
+  static constexpr std::string_view domain = "half axes up to 16,383";
   static constexpr int most = 16'383;
   template <class S>
-  bool operator()(const S& sink, intaglio::linear::Point centre, int a, int b) const noexcept {
-    if (a < 0 || b < 0 || a > most || b > most) return false;
+  intaglio::Status operator()(const S& sink, intaglio::linear::Point centre, int a, int b) const noexcept {
+    if (const auto status = check_axes(a, b, most); !status.ok()) return status;
     constexpr unsigned quadrant = 16384U << 16U;
     const unsigned points = static_cast<unsigned>(a + b) + 1;
     const unsigned step = quadrant / points;
@@ -49,7 +58,7 @@ struct SineEllipse {
       put_quadrants(sink, centre, (a * number::cosine(turn).raw() + (1 << 14)) >> 15,
                     (b * number::sine(turn).raw() + (1 << 14)) >> 15);
     }
-    return true;
+    return {};
   }
 };
 
@@ -92,43 +101,34 @@ void walk_midpoints(const S& sink, intaglio::linear::Point centre, int a, int b)
   while (x <= a) put(), ++x;
 }
 
-struct MidpointEllipse64 {
+/// The midpoints in so many bits.
+template <class Int, int longest>
+struct MidpointEllipse {
   static constexpr number::Bound bound{12'000, number::Unit::wrong_pixel};
-  static constexpr int most = 1 << 19;
+  static constexpr int most = longest;
   template <class S>
-  bool operator()(const S& sink, intaglio::linear::Point centre, int a, int b) const noexcept {
-    if (a < 0 || b < 0 || a > most || b > most) return false;
-    walk_midpoints<std::int64_t>(sink, centre, a, b);
-    return true;
+  intaglio::Status operator()(const S& sink, intaglio::linear::Point centre, int a, int b) const noexcept {
+    if (const auto status = check_axes(a, b, most); !status.ok()) return status;
+    walk_midpoints<Int>(sink, centre, a, b);
+    return {};
   }
 };
-struct MidpointEllipse32 {
-  static constexpr number::Bound bound = MidpointEllipse64::bound;
-  static constexpr int most = 645;
-  template <class S>
-  bool operator()(const S& sink, intaglio::linear::Point centre, int a, int b) const noexcept {
-    if (a < 0 || b < 0 || a > most || b > most) return MidpointEllipse64{}(sink, centre, a, b);
-    walk_midpoints<std::int32_t>(sink, centre, a, b);
-    return true;
-  }
+struct MidpointEllipse16 : MidpointEllipse<std::int16_t, 15> {
+  static constexpr std::string_view domain = "half axes up to 15";
 };
-struct MidpointEllipse16 {
-  static constexpr number::Bound bound = MidpointEllipse64::bound;
-  static constexpr int most = 15;
-  template <class S>
-  bool operator()(const S& sink, intaglio::linear::Point centre, int a, int b) const noexcept {
-    if (a < 0 || b < 0 || a > most || b > most) return MidpointEllipse32{}(sink, centre, a, b);
-    walk_midpoints<std::int16_t>(sink, centre, a, b);
-    return true;
-  }
+struct MidpointEllipse32 : MidpointEllipse<std::int32_t, 645> {
+  static constexpr std::string_view domain = "half axes up to 645";
+};
+struct MidpointEllipse64 : MidpointEllipse<std::int64_t, 1 << 19> {
+  static constexpr std::string_view domain = "half axes up to 2^19";
 };
 
 /// The library's: row by row, those visible.
 struct RowEllipse {
   static constexpr number::Bound bound = number::exactly(number::Unit::wrong_pixel);
   template <class S>
-  bool operator()(const S& sink, intaglio::linear::Point centre, int a, int b) const noexcept {
-    return intaglio::raster::draw_ellipse(sink, centre, a, b).ok();
+  intaglio::Status operator()(const S& sink, intaglio::linear::Point centre, int a, int b) const noexcept {
+    return intaglio::raster::draw_ellipse(sink, centre, a, b);
   }
 };
 
@@ -158,9 +158,14 @@ struct Ellipse {
   template <class R>
   static std::uint32_t run(const Input& in) noexcept {
     const intaglio::raster::Solid<image::Indexed8> pen(canvas(), 1);
-    return R{}(pen, in.centre, in.across, in.down) ? 1 : 0;
+    return R{}(pen, in.centre, in.across, in.down).ok() ? 1 : 0;
   }
 
+  /// 16 bits are enough under the first load alone.
+  template <class R>
+  static constexpr bool takes(int load) noexcept {
+    return !std::is_same_v<R, MidpointEllipse16> || load == 0;
+  }
   /// The most that any ellipse of the load has wrong, all tried. Midpoints along one axis at a time miss
   /// pixels at the tips of slender ones.
   template <class R>

@@ -37,7 +37,7 @@ struct CircleErrors {
     const intaglio::linear::Rect window{0, 0, 320, 240};
     const host::lab::PixelSink sink(window, drawn);
     const auto radius = static_cast<int>(c[2]);
-    if (!R{}(sink, {static_cast<int>(c[0]), static_cast<int>(c[1])}, radius))
+    if (!R{}(sink, {static_cast<int>(c[0]), static_cast<int>(c[1])}, radius).ok())
       return window.width * window.height;
     host::lab::Pixels expected;
     for (const auto& run : oracle::circle_runs(radius)) {

@@ -40,7 +40,7 @@ struct EllipseErrors {
     const host::lab::PixelSink sink(window, drawn);
     const auto a = static_cast<int>(c[2]);
     const auto b = static_cast<int>(c[3]);
-    if (!R{}(sink, {static_cast<int>(c[0]), static_cast<int>(c[1])}, a, b))
+    if (!R{}(sink, {static_cast<int>(c[0]), static_cast<int>(c[1])}, a, b).ok())
       return window.width * window.height;
     host::lab::Pixels expected;
     // A pixel of the oval is on its outline if a neighbour is outside; rows are as wide as they reach.

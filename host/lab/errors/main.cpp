@@ -54,9 +54,15 @@ ordered_json description(const FamilyReport& family) {
   }
   for (const auto& rung : family.rungs) {
     ordered_json bounds;
-    for (const auto bound : rung.bounds) bounds.push_back(bound.thousandths / 1000.0);
+    for (std::size_t load = 0; load < rung.bounds.size(); ++load) {
+      if (rung.takes[load])
+        bounds.push_back(rung.bounds[load].thousandths / 1000.0);
+      else
+        bounds.push_back(nullptr);
+    }
     json["rungs"].push_back({{"name", rung.name},
                              {"slack", rung.slack},
+                             {"domain", rung.domain},
                              {"unit", name_of(rung.bounds[0].unit)},
                              {"bounds", bounds}});
   }

@@ -59,7 +59,9 @@ struct Measured {
 struct RungReport {
   std::string name;
   std::string slack;                  ///< Why the bound isn't tight, if it isn't.
+  std::string domain;                 ///< Which inputs it takes, if not all of the family's.
   std::vector<number::Bound> bounds;  ///< One a load.
+  std::vector<bool> takes;            ///< Under which loads it is measured.
   std::function<Measured(int load, Effort effort)> measure;
   /// The error at one input, as printed by a search.
   std::function<long double(int load, std::string_view input)> replay;
@@ -132,8 +134,10 @@ template <class E, class R>
   RungReport rung;
   rung.name = number::type_name<R>();
   rung.slack = slack<F, R>();
+  if constexpr (requires { R::domain; }) rung.domain = R::domain;
   for (int load = 0; load < static_cast<int>(std::size(F::loads)); ++load) {
     rung.bounds.push_back(bound<F, R>(load));
+    rung.takes.push_back(takes<F, R>(load));
   }
   rung.measure = search<E, R>;
   rung.replay = [](int load, std::string_view input) {
@@ -142,6 +146,7 @@ template <class E, class R>
   };
   rung.draw = [](int load) {
     prepare<F>(load);
+    if (!takes<F, R>(load)) return;
     for (int i = 0; i < F::loads[load].calls; ++i) F::template run<R>(F::input(load, i));
   };
   return rung;

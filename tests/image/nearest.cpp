@@ -69,6 +69,33 @@ TEST(NearestLab, ChoosesAnEntryThatIsHardlyFurtherThanTheBestOfAnyPalette) {
   EXPECT_LE(worst, NearestLab::bound.thousandths / 1000.0) << random.seed_text();
 }
 
+// By how much an entry is further from a colour than another one, in L*a*b* of real numbers.
+double loss(Rgb colour, Rgb chosen, Rgb other) {
+  const auto distance = [&](Rgb entry) {
+    return std::sqrt(oracle::squared_distance(oracle::lab(entry.r, entry.g, entry.b),
+                                              oracle::lab(colour.r, colour.g, colour.b)));
+  };
+  return distance(chosen) - distance(other);
+}
+
+template <class R>
+double loss_of(Rgb colour, Rgb first, Rgb second) {
+  const std::array<ColourPlace, 2> places{R::place(first), R::place(second)};
+  return R{}(places, colour) == 0 ? loss(colour, first, second) : loss(colour, second, first);
+}
+
+TEST(NearestEntries, LoseAsMuchInBadPalettesAsTheirBoundsSay) {
+  // No two colours are further apart than green and blue.
+  EXPECT_NEAR(loss({0, 0, 255}, {0, 255, 0}, {0, 0, 255}), NearestRgb::bound.thousandths / 1000.0, 1e-3);
+  const auto is_near = [](double loss, intaglio::number::Bound bound, double least) {
+    EXPECT_LE(loss, bound.thousandths / 1000.0);
+    EXPECT_GE(loss, least);
+  };
+  is_near(loss_of<NearestRgb>({0, 49, 255}, {0, 255, 97}, {255, 0, 255}), NearestRgb::bound, 166);
+  is_near(loss_of<NearestWeighted>({0, 141, 17}, {0, 19, 255}, {220, 255, 181}), NearestWeighted::bound, 146);
+  is_near(loss_of<NearestLuv>({0, 0, 166}, {2, 199, 0}, {255, 0, 104}), NearestLuv::bound, 96);
+}
+
 TEST(NearestLuv, PlacesAreWithinTwoUnitsOfRealNumbersForAllColours) {
   double worst = 0;
   for (int i = 0; i < 1 << 24; i += oracle::samples(211, 5)) {

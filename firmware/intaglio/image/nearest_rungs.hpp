@@ -11,9 +11,11 @@
 // - `NearestLab`: CIE 1976 L*a*b* (D65) in 1/64.
 //
 // Error: by how much the chosen entry is further from the colour than the best one, in CIE76 (the distance in
-// L*a*b* of real numbers). Places of `NearestLab` are off by at most 0.06 (all 2^24 colours), so that is at
-// most four times as much for it, whatever the palette; for the others no bound holds for all palettes, and
-// theirs is over all colours for the palettes of the lab: 16 greys, 256 of a cube, 64 anywhere.
+// L*a*b* of real numbers). Bounds hold for any palette. Places of `NearestLab` are off by at most 0.06 (all
+// 2^24 colours), so that is at most four times as much for it. The others may choose any entry but the best,
+// so theirs is the distance of the colours furthest apart, green and blue. That isn't far from the truth:
+// palettes of two entries are known where they lose 166, 146 and 96 (tests/image/nearest.cpp). In palettes
+// that programs have they lose less: the lab has 16 greys, 256 of a cube and 64 anywhere.
 // Bit budget: places differ by less than 2^14.1, so a squared distance has 30 bits; weighted codes have 20.
 // Textbook: section 1.4, on palettes. Worst known inputs: saturated blues, which L*a*b* puts far apart.
 #pragma once
@@ -69,6 +71,9 @@ struct NearestPlace {
   }
 };
 
+/// Between green and blue; no two of all colours are further apart.
+inline constexpr number::Bound furthest_colours{258'683, number::Unit::cie76};
+
 /// Light through one row of a matrix in 2^-16.
 [[nodiscard]] constexpr std::uint32_t light_through(Rgb colour, std::uint32_t r, std::uint32_t g,
                                                     std::uint32_t b) noexcept {
@@ -116,7 +121,7 @@ struct Chromaticity {
 
 /// By sRGB codes; the default.
 struct NearestRgb : detail::NearestPlace<NearestRgb> {
-  static constexpr number::Bound bound{65'700, number::Unit::cie76};
+  static constexpr number::Bound bound = detail::furthest_colours;
   [[nodiscard]] static constexpr ColourPlace place(Rgb colour) noexcept {
     return {colour.r, colour.g, colour.b};
   }
@@ -124,13 +129,13 @@ struct NearestRgb : detail::NearestPlace<NearestRgb> {
 
 /// By sRGB codes, green counting most.
 struct NearestWeighted : detail::NearestPlace<NearestWeighted, 2, 4, 3> {
-  static constexpr number::Bound bound{51'500, number::Unit::cie76};
+  static constexpr number::Bound bound = detail::furthest_colours;
   [[nodiscard]] static constexpr ColourPlace place(Rgb colour) noexcept { return NearestRgb::place(colour); }
 };
 
 /// By L*u*v*.
 struct NearestLuv : detail::NearestPlace<NearestLuv> {
-  static constexpr number::Bound bound{43'600, number::Unit::cie76};
+  static constexpr number::Bound bound = detail::furthest_colours;
   [[nodiscard]] static constexpr ColourPlace place(Rgb colour) noexcept {
     constexpr detail::Chromaticity white = detail::chromaticity({255, 255, 255});
     const int lightness =

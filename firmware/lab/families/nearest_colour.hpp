@@ -44,7 +44,7 @@ struct NearestColour {
     return places<R, 2>;
   }
 
-  /// Over all 2^24 colours.
+  /// In this palette, over all 2^24 colours; the rungs' own bounds are for any palette.
   template <class R>
   static constexpr number::Bound bound(int load) noexcept {
     const auto cie76 = [load](int greys, int cube, int colours) {

@@ -3,6 +3,8 @@
 // Oracle: bilinear interpolation of a turned picture in real numbers, straight from the rule.
 #pragma once
 
+#include <tests/oracle/turned_place.hpp>
+
 #include <cmath>
 
 namespace oracle {
@@ -13,9 +15,7 @@ namespace oracle {
 template <class Value>
 bool turned_value(double x, double y, int w, int h, int steps, double pivot_x, double pivot_y, double at_x,
                   double at_y, Value value, double& exact) {
-  const double angle = steps * 3.14159265358979323846 / 32768;
-  const double u = pivot_x + std::cos(angle) * (x - at_x) + std::sin(angle) * (y - at_y);
-  const double v = pivot_y - std::sin(angle) * (x - at_x) + std::cos(angle) * (y - at_y);
+  const auto [u, v] = turned_place(x, y, steps, {pivot_x, pivot_y}, at_x, at_y);
   const int column = static_cast<int>(std::floor(u));
   const int row = static_cast<int>(std::floor(v));
   if (column < 0 || row < 0 || column + 1 >= w || row + 1 >= h) return false;

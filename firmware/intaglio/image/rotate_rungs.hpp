@@ -9,12 +9,15 @@
 // - `RotateBilinear` interpolates with weights of 1/256 on the pixels that `RotateNearest` draws, beyond the
 //   outermost centres evenly.
 //
-// Error, in values, at places between the source's outermost centres, for pictures up to 128 pixels from
-// their pivot: a place is off by at most 0.007 (rotozoom.hpp), so of the nearest pixel, whose weight is at
-// least a quarter, 3/4 * 255 and 2 * 255 * 0.007; of shears everything, as they show pixels beside the four
-// around; of the last 255 for each weight's 2^-9 + 2^-16 + 0.007, and 1/2 for the rounding. Bit budget: sides
-// up to 2^15, so places in 2^-16 pixel have 31 bits. Textbook: the inverse mapping of an affine map. Worst
-// known inputs: blacks beside whites, far from the pivot.
+// Error: how far the place that a pixel shows lies from the one that its centre comes from, in pixels of the
+// source, for pictures up to 128 pixels from their pivot, between the outermost centres. Columns and rows are
+// off by at most 0.007 for the sine (rotozoom.hpp): of the nearest pixel half a pixel and that, along both;
+// of the last 2^-9 + 2^-16 for the weight, 1/510 for the rounding of the value, and that. Shears round
+// three times, by e1, e2, e3 <= 1/2, which is e1 cos r - e2 tan(r/2) + e3 along one axis and e2 + e1 sin r
+// along the other: sqrt(5)/2 for small r, and 0.0133 along both for the sine. What shears leave open or show
+// beside the picture, along its turned sides, isn't counted. Bit budget: sides up to 2^15, so places in 2^-16
+// pixel have 31 bits. Textbook: the inverse mapping of an affine map. Worst known inputs: for shears angles
+// next to none and to quarter turns, far from the pivot; for the others 45 degrees.
 #pragma once
 
 #include <intaglio/image/blit.hpp>
@@ -32,7 +35,7 @@ namespace intaglio::image {
 
 /// The nearest pixel; the default, for it needs no ramp.
 struct RotateNearest {
-  static constexpr number::Bound bound{195'000, number::Unit::palette_level};
+  static constexpr number::Bound bound = number::pixels(718);
   /// As `blit_rotozoom`.
   template <class Byte>
   Status operator()(const Surface<Indexed8>& target, const ThreeShear& turn,
@@ -44,7 +47,7 @@ struct RotateNearest {
 
 /// By three shears.
 struct RotateThreeShear {
-  static constexpr number::Bound bound{255'000, number::Unit::palette_level};
+  static constexpr number::Bound bound = number::pixels(1'137);
   /// As `blit_three_shear`.
   template <class Byte>
   Status operator()(const Surface<Indexed8>& target, const ThreeShear& turn,
@@ -56,7 +59,7 @@ struct RotateThreeShear {
 
 /// Bilinear, weights in 1/256.
 struct RotateBilinear {
-  static constexpr number::Bound bound{5'100, number::Unit::palette_level};
+  static constexpr number::Bound bound = number::pixels(16);
   /// Errors: as `blit_rotozoom`; too_large source: a side above 2^15. Cost: as there, but about 45
   /// instructions a pixel shown.
   template <class Byte>

@@ -7,8 +7,12 @@
 #include <intaglio/clip/line_window.hpp>
 #include <intaglio/image/blit.hpp>
 #include <intaglio/image/clear.hpp>
+#include <intaglio/image/dither.hpp>
+#include <intaglio/image/rotate_rungs.hpp>
 #include <intaglio/image/rotozoom.hpp>
 #include <intaglio/image/scale.hpp>
+#include <intaglio/image/scale_rungs.hpp>
+#include <intaglio/image/three_shear.hpp>
 #include <intaglio/raster/arc.hpp>
 #include <intaglio/raster/chord.hpp>
 #include <intaglio/raster/circle.hpp>
@@ -157,6 +161,30 @@ Status blit_scaled(const image::Surface<Format>& target, const linear::Rect& r,
 Status blit_rotozoom(const image::Surface<Format>& target, const image::Rotozoom& placement,
                      const image::Picture<Format>& source) {
   return image::blit_rotozoom(target, placement, source);
+}
+Status blit_three_shear(const image::Surface<Format>& target, const image::ThreeShear& placement,
+                        const image::Picture<Format>& source) {
+  return image::blit_three_shear(target, placement, source);
+}
+Status blit_turned_bilinear(const image::Surface<Format>& target, const image::ThreeShear& placement,
+                            const image::Picture<Format>& source) {
+  return image::RotateBilinear{}(target, placement, source);
+}
+Status blit_scaled_bilinear(const image::Surface<Format>& target, const linear::Rect& r,
+                            const image::Picture<Format>& source) {
+  return image::ScaleBilinear8{}(target, r, source);
+}
+Status blit_scaled_box(const image::Surface<Format>& target, const linear::Rect& r,
+                       const image::Picture<Format>& source) {
+  return image::ScaleBox{}(target, r, source);
+}
+Status blit_dithered(const image::Surface<Format>& target, linear::Point p,
+                     const image::Picture<Format>& source, int levels) {
+  return image::blit_dithered<image::DitherOrdered8>(target, p, source, levels);
+}
+Status blit_diffused(const image::Surface<Format>& target, linear::Point p,
+                     const image::Picture<Format>& source, int levels, std::span<std::int16_t> memory) {
+  return image::blit_dithered<image::DitherFourTap>(target, p, source, levels, memory);
 }
 
 // Where a probe that weighs nothing begins.

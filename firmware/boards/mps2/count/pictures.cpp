@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Counted: pictures copied, stretched and turned; flood fill.
+// Counted: pictures copied, stretched, turned and dithered; flood fill.
 #include <intaglio/image/blit.hpp>
+#include <intaglio/image/dither.hpp>
+#include <intaglio/image/rotate_rungs.hpp>
 #include <intaglio/image/rotozoom.hpp>
 #include <intaglio/image/scale.hpp>
+#include <intaglio/image/scale_rungs.hpp>
 #include <intaglio/image/three_shear.hpp>
 #include <intaglio/raster/flood.hpp>
 
@@ -42,6 +45,17 @@ constexpr auto complements = [] {
 
 raster::FloodSpan flood_spans[64];
 
+std::int16_t owed[66];  // by error diffusion, a row of 64
+
+template <class Rung>
+void stretch(const Pen& pen, const Rect& to) {
+  use(Rung{}(pen.surface(), to, checkers));
+}
+template <class Rung>
+void dither(const Pen& pen) {
+  use(image::blit_dithered<Rung>(pen.surface(), opaque(Point{101, 77}), checkers, opaque(200), owed));
+}
+
 constexpr Row rows[] = {
     {"blit 64x64",
      [](const Pen& pen) {
@@ -55,6 +69,14 @@ constexpr Row rows[] = {
      [](const Pen& pen) {
        use(image::blit_scaled(pen.surface(), opaque(Rect{101, 77, 100, 60}), checkers));
      }},
+    {"blit 64x64 to 100x60, bilinear in 1/16",
+     [](const Pen& pen) { stretch<image::ScaleBilinear4>(pen, opaque(Rect{101, 77, 100, 60})); }},
+    {"blit 64x64 to 100x60, bilinear in 1/256",
+     [](const Pen& pen) { stretch<image::ScaleBilinear8>(pen, opaque(Rect{101, 77, 100, 60})); }},
+    {"blit 64x64 to 100x60, boxes",
+     [](const Pen& pen) { stretch<image::ScaleBox>(pen, opaque(Rect{101, 77, 100, 60})); }},
+    {"blit 64x64 to 25x15, boxes",
+     [](const Pen& pen) { stretch<image::ScaleBox>(pen, opaque(Rect{101, 77, 25, 15})); }},
     {"blit 64x64 turned by 30",
      [](const Pen& pen) {
        image::Rotozoom placement;
@@ -62,6 +84,14 @@ constexpr Row rows[] = {
        placement.pivot = {128 * 63, 128 * 63};
        placement.angle = number::Angle::from_steps(opaque(number::Angle::turn / 12));
        use(image::blit_rotozoom(pen.surface(), placement, checkers));
+     }},
+    {"blit 64x64 turned by 30, bilinear",
+     [](const Pen& pen) {
+       image::ThreeShear placement;
+       placement.position = opaque(SubPoint{160 * 256, 120 * 256});
+       placement.pivot = {128 * 63, 128 * 63};
+       placement.angle = number::Angle::from_steps(opaque(number::Angle::turn / 12));
+       use(image::RotateBilinear{}(pen.surface(), placement, checkers));
      }},
     {"blit 64x64 turned by 30, three shears",
      [](const Pen& pen) {
@@ -83,6 +113,11 @@ constexpr Row rows[] = {
      [](const Pen& pen) {
        use(image::blit(pen.surface(), opaque(Point{101, 77}), checkers, image::Remap{complements}));
      }},
+    {"blit 64x64 to 200 levels", [](const Pen& pen) { dither<image::DitherNone>(pen); }},
+    {"blit 64x64 dithered, Bayer 8x8", [](const Pen& pen) { dither<image::DitherOrdered8>(pen); }},
+    {"blit 64x64 dithered, three taps", [](const Pen& pen) { dither<image::DitherThreeTap>(pen); }},
+    {"blit 64x64 dithered, Floyd-Steinberg", [](const Pen& pen) { dither<image::DitherFourTap>(pen); }},
+    {"blit 64x64 dithered, serpentine", [](const Pen& pen) { dither<image::DitherSerpentine>(pen); }},
     {"flood 100x60",
      [](const Pen& pen) {
        const Pen bounded(pen.surface(), 1, opaque(Rect{101, 77, 100, 60}));

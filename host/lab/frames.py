@@ -1,19 +1,21 @@
 # SPDX-License-Identifier: MIT
-"""Whole frames of the programs under every setting of their knobs: the rows of frames.csv.
+"""Whole frames of the programs under settings of their knobs: the rows of frames.csv.
 
 Counts are those of the dearest of the frames that are looked at, `mean_instructions` is over all of them. Errors are
 distances of colours (CIE 1976) from the same frames with every knob at its finest. The first setting of a program is
-the standard one.
+the standard one. `counted` says whether a setting was counted or is a sum of counts of its parts (sums.py); of sums only
+those are kept that no setting beats.
 """
 import csv
 import json
 
+import sums
 import table
 from cores import ROOT
 from measure import COUNTED, HOST, Failure, count, run
 
 COLUMNS = ["app", "setting", "core", "frame", *COUNTED, "mean_instructions", "stack_bytes", "error_mean", "error_worst",
-           "wrong_ppm"]
+           "wrong_ppm", "counted"]
 BASELINE = ROOT / "host/lab/baseline/frames.csv"
 # Knobs as variables may cost so much more than as constants in the finest setting, beyond what they do in the standard.
 VARIABLES_COST = 1.02
@@ -39,8 +41,8 @@ def rows_of(work, cores):
     """(rows, scenes) measured. Fails if cores draw other frames than the desk does."""
     described = scenes(work)
     counted = work.do("frames", {
-        core.name: (("frames", work.hash_of(core.build / "bin/lab-frames")),
-                    lambda core=core: count(core, "lab-frames", times=1)) for core in cores})
+        core.name: (("frames", work.hash_of(core.build / "bin/lab-frames")), lambda core=core: count(core, "lab-frames"))
+        for core in cores})
     rows = []
     for core in cores:
         counts = iter(counted[core.name])
@@ -50,39 +52,68 @@ def rows_of(work, cores):
 
 
 def _rows_of_scene(core, scene, counts):
-    rows, fixed, extra = [], [], None
-    for number, variant in enumerate(scene["variants"]):
-        counted = [next(counts) for _ in scene["frames"]]
-        for frame, (_, stack, digest), seen in zip(scene["frames"], counted, variant["digests"]):
-            if stack & _FAULT:
-                raise Failure(f"{core.name}: {scene['name']} reports an error at frame {frame}")
-            if digest != seen:
-                raise Failure(f"{core.name}: frame {frame} of {scene['name']} isn't the desk's, "
-                              f"{setting_text(variant['setting'])}")
-        numbers = [numbers for numbers, _, _ in counted]
-        stack = max(stack for _, stack, _ in counted)
-        if number < scene["fixed"]:
-            fixed.append((_row(core, scene, variant, numbers, stack), numbers))
-            continue
-        # What knobs as variables cost more than as constants, in the standard setting, is taken off all.
-        extra = extra or [[a - b for a, b in zip(*pair)] for pair in zip(numbers, fixed[0][1])]
-        numbers = [[max(0, a - b) for a, b in zip(*pair)] for pair in zip(numbers, extra)]
-        row = _row(core, scene, variant, numbers, stack)
-        for same, _ in fixed:
-            if same["setting"] == row["setting"]:
-                _check_variables(core, row, same)
-                row = same
-        rows.append(row)
-    return rows or [row for row, _ in fixed]
+    counted = [_checked(core, scene, variant, [next(counts) for _ in scene["frames"]]) for variant in scene["variants"]]
+    constants = [_row(core, scene, variant, *numbers)
+                 for variant, numbers in zip(scene["variants"], counted[:scene["fixed"]])]
+    if not scene["knobs"]:
+        return constants
+    turned = list(zip(scene["variants"], counted))[scene["fixed"]:]
+    # What knobs as variables cost more than as constants, in the standard setting, is taken off all.
+    extra = _each(lambda a, b: a - b, turned[0][1][0], counted[0][0])
+
+    def row_of(variant, numbers, stack, how):
+        return _row(core, scene, variant, _each(lambda a, b: max(0, a - b), numbers, extra), stack, how)
+
+    rows = {}
+    for variant, (numbers, stack) in turned:
+        row = row_of(variant, numbers, stack, "yes")
+        same = next((same for same in constants if same["setting"] == row["setting"]), None)
+        if same is not None:
+            _check_variables(core, row, same)
+        rows[row["setting"]] = same or row
+    total = sums.Sums(scene, {setting_text(variant["setting"]): numbers for variant, (numbers, _) in turned})
+    stacks = {setting_text(variant["setting"]): stack for variant, (_, stack) in turned}
+    summed = []
+    for variant in scene["settings"]:
+        numbers = total.of(variant["setting"])
+        text = setting_text(variant["setting"])
+        if text in rows:
+            total.check(variant["setting"], f"{core.name}: {scene['name']}, {text}")
+        else:
+            stack = max(stacks[setting_text(part)] for part in total.parts_of(variant["setting"]))
+            summed.append(row_of(variant, numbers, stack, "sum"))
+    return [*rows.values(), *_unbeaten(core, [*rows.values(), *summed], summed)]
 
 
-def _row(core, scene, variant, numbers, stack):
+def _checked(core, scene, variant, counted):
+    """(counts of each frame, stack) of a variant: no errors, and the pictures of the desk."""
+    for frame, (_, stack, digest), seen in zip(scene["frames"], counted, variant["digests"]):
+        if stack & _FAULT:
+            raise Failure(f"{core.name}: {scene['name']} reports an error at frame {frame}")
+        if digest != seen:
+            raise Failure(f"{core.name}: frame {frame} of {scene['name']} isn't the desk's, "
+                          f"{setting_text(variant['setting'])}")
+    return [numbers for numbers, _, _ in counted], max(stack for _, stack, _ in counted)
+
+
+def _each(function, ones, others):
+    """Counts of each frame, from those of two."""
+    return [[function(a, b) for a, b in zip(*pair)] for pair in zip(ones, others)]
+
+
+def _unbeaten(core, rows, candidates):
+    """Those of the candidates that no row beats, in instructions or in cycles."""
+    unbeaten = {row["setting"] for cost in (_instructions, core.cycles) for row in front(rows, cost)}
+    return [row for row in candidates if row["setting"] in unbeaten]
+
+
+def _row(core, scene, variant, numbers, stack, how="yes"):
     dearest, frame = max((of_frame, -frame) for frame, of_frame in zip(scene["frames"], numbers))
     return {"app": scene["name"], "setting": setting_text(variant["setting"]), "core": core.name, "frame": str(-frame),
             **{name: str(number) for name, number in zip(COUNTED, dearest)},
             "mean_instructions": str(sum(of_frame[0] for of_frame in numbers) // len(numbers)),
             "stack_bytes": str(stack), "error_mean": f"{variant['mean']:.4f}", "error_worst": f"{variant['worst']:.2f}",
-            "wrong_ppm": f"{variant['wrong_ppm']:.0f}"}
+            "wrong_ppm": f"{variant['wrong_ppm']:.0f}", "counted": how}
 
 
 def _check_variables(core, row, constants):
@@ -115,9 +146,13 @@ def alone(rivals):
     return found
 
 
-def front(rivals):
-    """The rows that none beats in both instructions and mean error, cheapest first."""
-    points = sorted(rivals, key=lambda row: (float(row["instructions"]), float(row["error_mean"])))
+def _instructions(row):
+    return float(row["instructions"])
+
+
+def front(rivals, cost=_instructions):
+    """The rows that none beats in both cost and mean error, cheapest first."""
+    points = sorted(rivals, key=lambda row: (cost(row), float(row["error_mean"])))
     stairs = []
     for row in points:
         if not stairs or float(row["error_mean"]) < float(stairs[-1]["error_mean"]):

@@ -128,10 +128,12 @@ def html_fragment(rows, scenes):
         parts += [f"<li><b>{html.escape(knob['name'])}</b>: {html.escape(knob['explained'])}. As it is: "
                   f"{html.escape(knob['standard'])}; finest: {html.escape(knob['finest'])}.</li>" for knob in scene["knobs"]]
         parts.append("</ul><p>Error is the mean distance of all pixels' colours (CIE 1976 L*a*b*) from the same frames with "
-                     "every knob at its finest. Left: each knob turned alone, against the program as it is. Right: all "
-                     "settings measured; filled ones are beaten by none in both. Knobs are constants of the program's type; "
-                     "counted are all settings of one copy in which they are variables, less what that costs in the "
-                     "standard setting.</p>")
+                     "every knob at its finest. Left: each knob turned alone, against the program as it is. Right: filled "
+                     f"settings are beaten by none of all {len(scene['settings']):,} in both; hollow ones are others that "
+                     "were counted. Knobs are constants of the program's type; counted is one copy in which they are "
+                     "variables, less what that costs in the standard setting: all combinations of knobs that one part of "
+                     "the program asks. Other settings cost the sum of their parts, to the instruction, which is held "
+                     "against counts of some of them.</p>")
         for core in CORES.values():
             rivals = frames.of(rows, name, core.name)
             if not rivals:

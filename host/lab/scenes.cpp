@@ -16,6 +16,7 @@
 #include <firmware/lab/frames/digest.hpp>
 #include <firmware/lab/frames/scene.hpp>
 #include <fstream>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -23,6 +24,7 @@
 namespace {
 
 using lab::frames::Scene;
+using lab::frames::Setting;
 using nlohmann::ordered_json;
 
 struct Lab {
@@ -73,12 +75,17 @@ Frame drawn(const Scene& scene, std::uint32_t number) {
   return frame;
 }
 
-std::vector<Frame> all_frames(const Scene& scene, int variant) {
-  scene.start_variant(variant);
+/// The frames of what the scene has begun with.
+std::vector<Frame> all_frames(const Scene& scene) {
   std::vector<Frame> frames;
   frames.reserve(lab::frames::looked_at.size());
   for (const std::uint32_t number : lab::frames::looked_at) frames.push_back(drawn(scene, number));
   return frames;
+}
+
+std::vector<Frame> all_frames(const Scene& scene, int variant) {
+  scene.start_variant(variant);
+  return all_frames(scene);
 }
 
 /// How far frames are from those of the reference.
@@ -88,18 +95,49 @@ ordered_json difference(const std::vector<Frame>& frames, const std::vector<Fram
   std::int64_t differing = 0;
   std::int64_t count = 0;
   for (std::size_t i = 0; i < frames.size(); ++i) {
+    const bool same_colours = frames[i].palette == finest[i].palette;
     for (std::size_t p = 0; p < frames[i].pixels.size(); ++p) {
+      ++count;
+      if (same_colours && frames[i].pixels[p] == finest[i].pixels[p]) continue;
       const double d =
           distance(frames[i].colours[frames[i].pixels[p]], finest[i].colours[finest[i].pixels[p]]);
       sum += d;
       worst = std::max(worst, d);
       if (d > 0) ++differing;
-      ++count;
     }
   }
   return {{"mean", sum / static_cast<double>(count)},
           {"worst", worst},
           {"wrong_ppm", 1e6 * static_cast<double>(differing) / static_cast<double>(count)}};
+}
+
+/// The setting of a variant.
+Setting setting_of(const Scene& scene, int variant) {
+  if (variant >= scene.fixed_count())
+    return scene.settings.list[static_cast<std::size_t>(variant - scene.fixed_count())];
+  Setting setting{};
+  for (std::size_t k = 0; k < scene.knobs.size(); ++k)
+    setting[k] = static_cast<std::uint8_t>(variant == 0 ? scene.knobs[k].standard : scene.knobs[k].finest);
+  return setting;
+}
+
+ordered_json in_words(const Scene& scene, const Setting& setting) {
+  ordered_json words = ordered_json::object();
+  for (std::size_t k = 0; k < scene.knobs.size(); ++k)
+    words[std::string(scene.knobs[k].name)] = scene.knobs[k].choices[setting[k]];
+  return words;
+}
+
+/// All combinations of all choices; none without knobs.
+std::vector<Setting> all_settings(const Scene& scene) {
+  std::vector<Setting> settings;
+  if (scene.knobs.empty()) return settings;
+  std::vector<std::uint8_t> all(scene.knobs.size());
+  std::iota(all.begin(), all.end(), std::uint8_t{0});
+  Setting setting{};
+  do settings.push_back(setting);
+  while (lab::frames::next_combination(scene.knobs, all, setting));
+  return settings;
 }
 
 ordered_json described(const Scene& scene) {
@@ -113,22 +151,26 @@ ordered_json described(const Scene& scene) {
                              {"standard", knob.choices[static_cast<std::size_t>(knob.standard)]},
                              {"finest", knob.choices[static_cast<std::size_t>(knob.finest)]},
                              {"explained", knob.explained}});
+  json["parts"] = ordered_json::array();
+  for (const auto& part : scene.parts) {
+    ordered_json names = ordered_json::array();
+    for (std::size_t i = 0; i < part.count; ++i) names.push_back(scene.knobs[part.knobs[i]].name);
+    json["parts"].push_back(names);
+  }
   json["variants"] = ordered_json::array();
   for (int variant = 0; variant < scene.variants(); ++variant) {
     const std::vector<Frame> frames = all_frames(scene, variant);
     ordered_json entry = difference(frames, finest);
-    ordered_json setting = ordered_json::object();
-    for (std::size_t k = 0; k < scene.knobs.size(); ++k) {
-      const auto& knob = scene.knobs[k];
-      const int chosen = variant >= scene.fixed_count()
-                             ? scene.settings.list[static_cast<std::size_t>(variant - scene.fixed_count())][k]
-                         : variant == 0 ? knob.standard
-                                        : knob.finest;
-      setting[std::string(knob.name)] = knob.choices[static_cast<std::size_t>(chosen)];
-    }
-    entry["setting"] = setting;
+    entry["setting"] = in_words(scene, setting_of(scene, variant));
     for (const Frame& frame : frames) entry["digests"].push_back(frame.digest);
     json["variants"].push_back(entry);
+  }
+  json["settings"] = ordered_json::array();
+  for (const Setting& setting : all_settings(scene)) {
+    scene.start(setting, 0);
+    ordered_json entry = difference(all_frames(scene), finest);
+    entry["setting"] = in_words(scene, setting);
+    json["settings"].push_back(entry);
   }
   return json;
 }
@@ -161,7 +203,7 @@ int main(int count, char** arguments) try {
   int variant = 0;
   std::uint32_t number = 0;
   const CLI::App* const list =
-      program.add_subcommand("list", "programs, knobs, and errors of all variants, as JSON");
+      program.add_subcommand("list", "programs, knobs, and errors of all settings, as JSON");
   CLI::App* const picture = program.add_subcommand("picture", "one frame as a PPM");
   picture->add_option("program", name)->required();
   picture->add_option("variant", variant, "its number in `list`")->required();

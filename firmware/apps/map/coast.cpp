@@ -5,6 +5,7 @@ namespace apps::map {
 namespace {
 
 using intaglio::linear::Rect;
+using intaglio::linear::SubPoint;
 
 constexpr std::size_t at(int i) noexcept { return static_cast<std::size_t>(i); }
 
@@ -13,6 +14,18 @@ constexpr int unrolled(int x, int before) noexcept {
   while (x - before > world_width / 2) x -= world_width;
   while (before - x > world_width / 2) x += world_width;
   return x;
+}
+
+// Moves vertices together, those left out that are nearer than `shortest` along both axes to the last one
+// kept; how many remain.
+std::size_t thinned(std::span<SubPoint> places, int shortest) noexcept {
+  const auto is_near = [shortest](int a, int b) { return (a < b ? b - a : a - b) < shortest; };
+  std::size_t kept = 1;
+  for (const SubPoint& place : places.subspan(1)) {
+    const SubPoint& last = places[kept - 1];
+    if (!is_near(place.x, last.x) || !is_near(place.y, last.y)) places[kept++] = place;
+  }
+  return kept;
 }
 
 // What the table doesn't say about a piece: how far its longitudes reach when they go on across the date
@@ -60,7 +73,8 @@ Copies copies_in_sight(const Projection& projection, int panel_width) noexcept {
   return copies;
 }
 
-bool Coast::find(int index, int copy, const Projection& projection, const Rect& window) noexcept {
+bool Coast::find(int index, int copy, const Projection& projection, const Rect& window,
+                 int shortest) noexcept {
   const land::Polygon& piece = land::polygons[at(index)];
   const Reach& reach = reaches[at(index)];
   const int shift = copy * world_width;
@@ -77,11 +91,13 @@ bool Coast::find(int index, int copy, const Projection& projection, const Rect& 
   int x = reach.start;
   for (int contour = 0; contour < piece.contour_count; ++contour) {
     const int length = land::contour_lengths[piece.first_contour + contour];
+    const std::size_t first = count_;
     for (int i = 0; i < length; ++i, ++vertex) {
       x = unrolled(vertex->x, x);
       places_[count_++] = projection.place(x + shift, vertex->y);
     }
-    lengths_[contours_++] = length;
+    if (shortest > 0) count_ = first + thinned(std::span(places_).subspan(first, at(length)), shortest);
+    lengths_[contours_++] = static_cast<int>(count_ - first);
   }
   shore_end_ = count_;
   if (reach.polar) {

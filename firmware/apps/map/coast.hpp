@@ -39,8 +39,11 @@ struct Copies {
 class Coast {
  public:
   /// Looks for a piece, 0 <= index < piece_count, through a window in pixels; false if it isn't in sight, and
-  /// then nothing else changes. Cost: four products; in sight, two more for each vertex.
-  bool find(int index, int copy, const Projection& projection, const intaglio::linear::Rect& window) noexcept;
+  /// then nothing else changes. Vertices nearer than `shortest` (in 1/256 px, along both axes) to the last
+  /// one kept are left out, but for the first of a contour. Cost: four products; in sight, two more for each
+  /// vertex.
+  bool find(int index, int copy, const Projection& projection, const intaglio::linear::Rect& window,
+            int shortest = 0) noexcept;
 
   /// The vertices of the piece found, in 1/256 px.
   [[nodiscard]] std::span<const intaglio::linear::SubPoint> vertices() const noexcept {

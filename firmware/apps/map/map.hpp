@@ -23,6 +23,7 @@
 #include <firmware/apps/fonts.hpp>
 #include <firmware/apps/map/coast.hpp>
 #include <firmware/apps/map/inks.hpp>
+#include <firmware/apps/map/knobs.hpp>
 #include <firmware/apps/map/legend.hpp>
 #include <firmware/apps/map/places.hpp>
 #include <firmware/apps/map/projection.hpp>
@@ -33,12 +34,12 @@
 
 namespace apps::map {
 
-/// The program. Follows the shape that `present::run` asks for.
-template <intaglio::image::PixelFormat F>
-class Map {
+/// The program with its knobs turned (see `DefaultKnobs`). Follows the shape that `present::run` asks for.
+template <intaglio::image::PixelFormat F, class Knobs>
+class TunedMap {
  public:
   /// For a screen of at least one pixel.
-  explicit Map(const intaglio::present::ScreenInfo& screen) noexcept
+  explicit TunedMap(const intaglio::present::ScreenInfo& screen) noexcept
       : size_(screen.size), theme_(ink::by_day, screen) {
     update(0);
   }
@@ -49,7 +50,7 @@ class Map {
     if (camera_.night != night_ && !theme_.two_tone()) {
       night_ = camera_.night;
       for (int i = 0; i < ink::count; ++i)
-        theme_.set(i, mix(ink::by_day[static_cast<std::size_t>(i)], ink::by_night(i), night_, 256));
+        theme_.set(i, mix<Mixing>(ink::by_day[static_cast<std::size_t>(i)], ink::by_night(i), night_, 256));
     }
     theme_.fade(fade_full);
   }
@@ -62,12 +63,13 @@ class Map {
   [[nodiscard]] Status draw(intaglio::image::Surface<F> target) const {
     Paint canvas(target, theme_);
     const Projection projection(camera_, size_);
-    const Zones zones(projection, ink::land_steps, size_.height);
+    const Zones zones(projection, ink::land_steps / Knobs::zone_stride, size_.height);
     draw_ocean(canvas, projection);
     draw_graticule(canvas, projection);
     const bool lined = !theme_.two_tone() && pixels_per_degree(camera_) >= 1;
     // Surf and shadow of all land first, so no piece throws its shadow on another.
-    if (lined && theme_.owns_entry(ink::shade)) each_piece(canvas, projection, [&] { draw_surf(canvas); });
+    if (lined && Knobs::surf > 0 && theme_.owns_entry(ink::shade))
+      each_piece(canvas, projection, [&] { draw_surf(canvas); });
     each_piece(canvas, projection, [&] {
       fill_land(canvas, zones, canvas.bounds());
       if (lined) draw_shore(canvas, ink::coast, 0, 0);
@@ -78,7 +80,8 @@ class Map {
   }
 
  private:
-  using Colours = Theme<ink::count, static_cast<int>(F::max_index) + 1>;
+  using Mixing = typename Knobs::Mixing;
+  using Colours = Theme<ink::count, static_cast<int>(F::max_index) + 1, Mixing>;
   using Paint = Canvas<F, Colours>;
   static constexpr int workspace_edges = 640;
 
@@ -87,7 +90,7 @@ class Map {
     const Copies copies = copies_in_sight(projection, size_.width);
     for (int copy = copies.first; copy <= copies.last; ++copy)
       for (int i = 0; i < piece_count; ++i)
-        if (coast_.find(i, copy, projection, canvas.bounds())) draw();
+        if (coast_.find(i, copy, projection, canvas.bounds(), Knobs::shortest)) draw();
   }
 
   void draw_ocean(Paint& canvas, const Projection& projection) const {
@@ -95,9 +98,11 @@ class Map {
       canvas.fill(ink::ocean, {0, 0, size_.width, size_.height});
       return;
     }
-    const Zones zones(projection, ink::ocean_steps, size_.height);
-    for (int i = 0; i < ink::ocean_steps; ++i)
-      canvas.fill(ink::oceans + i, {0, zones.begin(i), size_.width, zones.begin(i + 1) - zones.begin(i)});
+    const int stride = Knobs::zone_stride;
+    const Zones zones(projection, ink::ocean_steps / stride, size_.height);
+    for (int i = 0; i < ink::ocean_steps / stride; ++i)
+      canvas.fill(ink::oceans + i * stride + stride / 2,
+                  {0, zones.begin(i), size_.width, zones.begin(i + 1) - zones.begin(i)});
   }
 
   void draw_graticule(Paint& canvas, const Projection& projection) const {
@@ -124,9 +129,10 @@ class Map {
 
   // Light water round the land, and its shadow to the lower right.
   void draw_surf(Paint& canvas) const {
-    draw_shore(canvas, ink::shade, 2, 2);
+    const bool all = Knobs::surf > 2;
+    if (all) draw_shore(canvas, ink::shade, 2, 2);
     draw_shore(canvas, ink::shallow, -1, 0);
-    draw_shore(canvas, ink::shallow, 0, -1);
+    if (all) draw_shore(canvas, ink::shallow, 0, -1);
     draw_shore(canvas, ink::shade, 1, 1);
   }
 
@@ -162,7 +168,8 @@ class Map {
     const std::span<intaglio::raster::PolygonEdge> workspace(edges_);
     Status status;
     if (theme_.owns_entry(ink::lands + ink::land_steps - 1)) {
-      ZoneSink<F> sink(canvas.target(), window, zones, ink::lands);
+      const int stride = Knobs::zone_stride;
+      ZoneSink<F> sink(canvas.target(), window, zones, ink::lands + stride / 2, stride);
       status = fill_polygon(sink, FillRule::even_odd, coast_.vertices(), coast_.contour_lengths(), workspace);
     } else {
       const intaglio::raster::Solid<F> sink{canvas.target(), theme_.index(ink::land), window};
@@ -215,5 +222,9 @@ class Map {
   mutable Coast coast_;
   mutable std::array<intaglio::raster::PolygonEdge, workspace_edges> edges_;
 };
+
+/// The program as it is.
+template <intaglio::image::PixelFormat F>
+using Map = TunedMap<F, DefaultKnobs>;
 
 }  // namespace apps::map

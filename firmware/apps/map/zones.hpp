@@ -45,13 +45,19 @@ class Zones {
   int steps_;
 };
 
-/// Takes spans in the palette index of their row's band: the first band's is `first`, the next one's follow.
+/// Takes spans in the palette index of their row's band: the first band's is `first`, the next one's is
+/// `stride` more.
 template <intaglio::image::PixelFormat F>
 class ZoneSink {
  public:
   ZoneSink(const intaglio::image::Surface<F>& target, const intaglio::linear::Rect& window,
-           const Zones& zones, int first) noexcept
-      : target_(target), window_(window), zones_(zones), first_(first), solid_{target, 0U, window} {}
+           const Zones& zones, int first, int stride) noexcept
+      : target_(target),
+        window_(window),
+        zones_(zones),
+        first_(first),
+        stride_(stride),
+        solid_{target, 0U, window} {}
 
   [[nodiscard]] intaglio::linear::Rect clip() const noexcept { return solid_.clip(); }
   void span(int y, int x_begin, int x_end) noexcept {
@@ -59,7 +65,7 @@ class ZoneSink {
     if (band != band_ || !chosen_) {
       chosen_ = true;
       band_ = band;
-      solid_ = {target_, static_cast<unsigned>(first_ + band), window_};
+      solid_ = {target_, static_cast<unsigned>(first_ + band * stride_), window_};
     }
     solid_.span(y, x_begin, x_end);
   }
@@ -69,6 +75,7 @@ class ZoneSink {
   intaglio::linear::Rect window_;
   const Zones& zones_;
   int first_;
+  int stride_;
   int band_ = 0;
   bool chosen_ = false;
   intaglio::raster::Solid<F> solid_;

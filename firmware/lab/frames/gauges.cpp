@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The instruments and their knobs.
+#include <intaglio/number/type_name.hpp>
+
 #include <firmware/apps/gauges/gauges.hpp>
 #include <firmware/lab/frames/programs.hpp>
 #include <type_traits>
@@ -72,7 +74,7 @@ constexpr int finest_of(Family<R...> /*rungs*/) noexcept {
 }
 template <class... R>
 constexpr std::array<std::string_view, sizeof...(R)> names_of(Family<R...> /*rungs*/) noexcept {
-  return {type_name<R>()...};
+  return {intaglio::number::type_name<R>()...};
 }
 
 constexpr auto sine_names = names_of(SineFamily{});
@@ -83,17 +85,18 @@ constexpr std::array<std::string_view, 4> edge_names{"hard", "2x2", "4x4", "area
 
 constexpr int usual_sine = index_of<DefaultKnobs::Sine>(SineFamily{});
 constexpr std::array<Knob, 5> knobs{{
-    {"Sine", sine_names, usual_sine, finest_of(SineFamily{}), 1U << static_cast<unsigned>(usual_sine),
-     "what places everything that turns"},
-    {"Mixing", mixing_names, 1, 1, 0b11, "how colours fade and glow: their codes are mixed, or their light"},
-    {"wedges", wedge_names, 2, 3, 0b1111, "wedges that a bezel's metal is made of"},
-    {"face_steps", step_names, 3, 3, 0b1011, "discs that a dial's face is shaded with"},
-    {"edges", edge_names, 0, 3, 0b1011, "edges of needles and ticks: hard, by samples, by exact area"},
+    {"Sine", sine_names, usual_sine, finest_of(SineFamily{}), "what places everything that turns"},
+    {"Mixing", mixing_names, 1, 1, "how colours fade and glow: their codes are mixed, or their light"},
+    {"wedges", wedge_names, 2, 3, "wedges that a bezel's metal is made of"},
+    {"face_steps", step_names, 3, 3, "discs that a dial's face is shaded with"},
+    {"edges", edge_names, 0, 3, "edges of needles and ticks: hard, by samples, by exact area"},
 }};
 static_assert(knobs[0].finest == index_of<FinestKnobs::Sine>(SineFamily{}));
 static_assert(wedge_choices[2] == DefaultKnobs::wedges && wedge_choices[3] == FinestKnobs::wedges);
 static_assert(step_choices[3] == DefaultKnobs::face_steps && step_choices[3] == FinestKnobs::face_steps);
-constexpr Settings settings = settings_of(knobs);
+// The bezels; needles and ticks; faces; the palette.
+constexpr std::array<Part, 4> parts{{{0, 2}, {0, 4}, {3}, {1}}};
+constexpr Settings settings = counted_settings(knobs, parts);
 
 template <class Knobs>
 using App = TunedGauges<intaglio::image::Indexed8, Knobs>;
@@ -101,7 +104,7 @@ using App = TunedGauges<intaglio::image::Indexed8, Knobs>;
 }  // namespace
 
 Scene gauges() noexcept {
-  return KnobScene<App<DefaultKnobs>, App<FinestKnobs>, App<TurnedKnobs>, turn>::scene("gauges", knobs,
+  return KnobScene<App<DefaultKnobs>, App<FinestKnobs>, App<TurnedKnobs>, turn>::scene("gauges", knobs, parts,
                                                                                        settings);
 }
 

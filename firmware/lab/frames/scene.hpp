@@ -3,10 +3,14 @@
 // Whole frames: the programs of firmware/apps, with their knobs, as the lab counts and pictures them.
 //
 // Rule: a scene is a program at 320x240 pixels of 8 bits with 256 palette entries, a list of knobs, and
-// *settings*: a choice for each knob. The settings are the standard one, each knob turned alone, and all
-// combinations of the choices that the scene says are worth combining. A program's knobs are constants of its
-// type; here they are variables, so that one copy of the program has all settings. The standard and the
-// finest setting are there as constants, too, so that one sees that this makes no difference.
+// *settings*: a choice for each knob. A program's knobs are constants of its type; here they are variables,
+// so that one copy of the program has all settings. The standard and the finest setting are there as
+// constants, too, so that one sees that this makes no difference.
+//
+// All settings are more than can be counted. But a frame is made of parts, and each part asks a few of the
+// knobs; knobs that no part asks together can't change what the other costs. So counted are all combinations
+// of the knobs of each part, the others as in the standard setting: what any setting costs is a sum of such
+// counts, to the instruction. The finest setting and some that look random are counted to hold that sum to.
 #pragma once
 
 #include <intaglio/image/format.hpp>
@@ -19,6 +23,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <firmware/lab/family.hpp>
+#include <initializer_list>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -35,17 +41,25 @@ inline constexpr std::array<std::uint32_t, 8> looked_at{15, 57, 100, 200, 420, 7
 struct Knob {
   std::string_view name;
   std::span<const std::string_view> choices;
-  int standard = 0;       ///< The choice of the program as it is.
-  int finest = 0;         ///< The most accurate.
-  unsigned combined = 0;  ///< A bit for each choice that is combined with those of other knobs.
+  int standard = 0;  ///< The choice of the program as it is.
+  int finest = 0;    ///< The most accurate.
   std::string_view explained{};
 };
 
 inline constexpr std::size_t most_knobs = 6;
+/// Knobs that a part of the program asks, by their numbers.
+struct Part {
+  std::array<std::uint8_t, most_knobs> knobs{};
+  std::size_t count = 0;
+
+  constexpr Part(std::initializer_list<int> numbers) noexcept {
+    for (const int number : numbers) knobs[count++] = static_cast<std::uint8_t>(number);
+  }
+};
 /// A choice for each knob.
 using Setting = std::array<std::uint8_t, most_knobs>;
 
-/// The settings of a scene.
+/// The settings that are counted.
 struct Settings {
   std::array<Setting, 128> list{};
   int count = 0;
@@ -57,37 +71,47 @@ struct Settings {
   }
 };
 
-/// The standard setting, each knob alone, the finest, and the combinations.
-[[nodiscard]] constexpr Settings settings_of(std::span<const Knob> knobs) noexcept {
+[[nodiscard]] constexpr Setting standard_setting(std::span<const Knob> knobs) noexcept {
+  Setting setting{};
+  for (std::size_t k = 0; k < knobs.size(); ++k) setting[k] = static_cast<std::uint8_t>(knobs[k].standard);
+  return setting;
+}
+
+/// On to the next combination of the choices of some knobs; false after the last.
+[[nodiscard]] constexpr bool next_combination(std::span<const Knob> knobs,
+                                              std::span<const std::uint8_t> turned,
+                                              Setting& setting) noexcept {
+  for (const std::size_t k : turned) {
+    setting[k] = static_cast<std::uint8_t>(setting[k] + 1U);
+    if (setting[k] < knobs[k].choices.size()) return true;
+    setting[k] = 0;
+  }
+  return false;
+}
+
+/// The standard setting, all combinations within a part, the finest, and some more. Each knob is in a part.
+[[nodiscard]] constexpr Settings counted_settings(std::span<const Knob> knobs,
+                                                  std::span<const Part> parts) noexcept {
+  constexpr int checks = 8;
   Settings settings;
-  Setting standard{};
-  for (std::size_t k = 0; k < knobs.size(); ++k) standard[k] = static_cast<std::uint8_t>(knobs[k].standard);
+  const Setting standard = standard_setting(knobs);
   settings.add(standard);
-  for (std::size_t k = 0; k < knobs.size(); ++k) {
-    for (std::size_t choice = 0; choice < knobs[k].choices.size(); ++choice) {
-      Setting turned = standard;
-      turned[k] = static_cast<std::uint8_t>(choice);
-      settings.add(turned);
-    }
+  for (const Part& part : parts) {
+    const std::span<const std::uint8_t> turned(part.knobs.data(), part.count);
+    Setting setting = standard;
+    for (const std::size_t k : turned) setting[k] = 0;
+    do settings.add(setting);
+    while (next_combination(knobs, turned, setting));
   }
   Setting finest{};
   for (std::size_t k = 0; k < knobs.size(); ++k) finest[k] = static_cast<std::uint8_t>(knobs[k].finest);
   settings.add(finest);
-  // Counts like an odometer through the choices that are combined.
-  const auto combined = [&](std::size_t k, std::size_t choice) {
-    return (knobs[k].combined >> choice & 1U) != 0;
-  };
-  Setting at{};
-  for (bool more = !knobs.empty(); more;) {
-    bool wanted = true;
-    for (std::size_t k = 0; k < knobs.size(); ++k) wanted = wanted && combined(k, at[k]);
-    if (wanted) settings.add(at);
-    more = false;
-    for (std::size_t k = 0; k < knobs.size() && !more; ++k) {
-      at[k] = static_cast<std::uint8_t>(at[k] + 1U);
-      more = at[k] < knobs[k].choices.size();
-      if (!more) at[k] = 0;
-    }
+  Random random(1);
+  for (int i = 0; i < checks; ++i) {
+    Setting any{};
+    for (std::size_t k = 0; k < knobs.size(); ++k)
+      any[k] = static_cast<std::uint8_t>(random.between(0, static_cast<int>(knobs[k].choices.size()) - 1));
+    settings.add(any);
   }
   return settings;
 }
@@ -96,6 +120,7 @@ struct Settings {
 struct Scene {
   std::string_view name;
   std::span<const Knob> knobs{};
+  std::span<const Part> parts{};
   Settings settings{};
   /// Begins with a setting; `fixed`: 0 takes its choices, 1 is the program with its knobs as constants, 2 the
   /// finest.
@@ -107,7 +132,7 @@ struct Scene {
 
   /// How many variants there are as constants: the standard one, and with knobs the finest.
   [[nodiscard]] constexpr int fixed_count() const noexcept { return knobs.empty() ? 1 : 2; }
-  /// How many variants there are: first those as constants, then the settings.
+  /// How many variants are counted: first those as constants, then the settings.
   [[nodiscard]] constexpr int variants() const noexcept {
     return fixed_count() + (knobs.empty() ? 0 : settings.count);
   }
@@ -127,16 +152,6 @@ struct Scene {
 /// Room for one program.
 inline constexpr std::size_t room_bytes = std::size_t{144} * 1024;
 [[nodiscard]] void* room() noexcept;
-
-/// A type's name without its namespaces, as `NAME` in "... [with T = ns::NAME; ..." or "... [T = ns::NAME]".
-template <class T>
-[[nodiscard]] constexpr std::string_view type_name() noexcept {
-  std::string_view text = __PRETTY_FUNCTION__;
-  text = text.substr(text.find("T = ") + 4);
-  text = text.substr(0, text.find_first_of(";]"));
-  const std::size_t colon = text.substr(0, text.find('<')).rfind(':');
-  return colon == std::string_view::npos ? text : text.substr(colon + 1);
-}
 
 /// A program in the room.
 template <class App>
@@ -158,6 +173,7 @@ class Stage {
 template <class App>
 [[nodiscard]] constexpr Scene plain_scene(std::string_view name) noexcept {
   return {name,
+          {},
           {},
           {},
           [](const Setting& /*setting*/, int /*fixed*/) noexcept { Stage<App>::start(); },
@@ -188,8 +204,8 @@ class KnobScene {
                                : Stage<Turned>::palette();
   }
   static constexpr Scene scene(std::string_view name, std::span<const Knob> knobs,
-                               const Settings& settings) noexcept {
-    return {name, knobs, settings, &start, &draw, &palette};
+                               std::span<const Part> parts, const Settings& settings) noexcept {
+    return {name, knobs, parts, settings, &start, &draw, &palette};
   }
 
  private:

@@ -47,12 +47,14 @@ def choose(rows, family, core, error, load=None):
     return min(meeting, key=lambda row: (float(row["instructions"]), float(row["bound"]))), rivals
 
 
-def described(chosen, rivals):
-    """An answer in words: the rung, and what a step up or down the staircase would cost or save."""
+def described(chosen, rivals, domains=None):
+    """An answer in words: the rung, and what a step up or down the staircase would cost or save. `domains`: which inputs a
+    rung takes, where it isn't all."""
     def figures(row):
         error = "exact" if float(row["bound"]) == 0 else f"at most {row['bound']} {row['unit']}"
         return (f"{row['rung']}: {error}, {row['instructions']} instructions, "
-                f"{row['code_bytes']} bytes of code, {row['table_bytes']} of tables")
+                f"{row['code_bytes']} bytes of code, {row['table_bytes']} of tables" +
+                (f"; for {domains[row['rung']]}" if domains and domains.get(row["rung"]) else ""))
 
     lines = [figures(chosen)]
     stairs = table.front(rivals)

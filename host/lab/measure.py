@@ -144,6 +144,22 @@ def kernels(core, archive=None):
     return found
 
 
+def stack_frames(core):
+    """Bytes of stack of the counted loops alone, as the compiler says (-fstack-usage), by (family's type, rung's name).
+    What a loop reserves and doesn't touch isn't seen when it runs; what it calls isn't in it."""
+    found = {}
+    for file in (core.build / "firmware/lab/CMakeFiles/intaglio_lab.dir/generated").glob("*.su"):
+        for line in file.read_text().splitlines():
+            function, size, kind = line.split("\t")
+            match = re.search(r":void lab::kernel\(.*\[with F = (?:lab::)?(\w+); R = (.*?)(?:; \w+ = .*)?\]$", function)
+            if match is None:
+                continue
+            if kind == "dynamic":
+                raise Failure(f"{core.name}: the stack of {function} has no bound")
+            found[match[1], without_namespaces(match[2])] = int(size)
+    return found
+
+
 def without_namespaces(name):
     """A C++ type's name as the programs print it."""
     head, bracket, arguments = name.partition("<")
@@ -183,9 +199,11 @@ def costs(work, all_families, cores):
     weights = _weights(work, all_families, cores)
     table, digests = {}, {}
     for core in cores:
+        own_frames = stack_frames(core)
         if len(counted[core.name]) != len(order):
             raise Failure(f"{core.name}: {len(counted[core.name])} counts for {len(order)} rungs and loads")
         for (family, load, rung), (counts, stack, digest) in zip(order, counted[core.name]):
+            stack = max(stack, own_frames[type_of(all_families[family]), rung or "Nothing"])
             if rung is None:
                 loop, loop_stack = counts, stack
                 continue

@@ -17,12 +17,27 @@ using apps::map::Projection;
 // The world; Europe from afar and near; over the date line; night; near the pole.
 constexpr std::array<std::uint32_t, 6> frames{0, 60, 115, 620, 1033, 1200};
 
+// Each knob as far from the standard one as it goes.
+struct CoarseKnobs : apps::map::DefaultKnobs {
+  using Mixing = apps::MixCodes;
+  static constexpr int shortest = 1024;
+  static constexpr int surf = 2;
+  static constexpr int zone_stride = 16;
+};
+template <class F>
+using Coarse = apps::map::TunedMap<F, CoarseKnobs>;
+
 TEST(Map, BandsEqualTheWholeFrame) {
   expect_bands_equal_frame<Map, image::Indexed8>(palette_screen({320, 240}, 256), frames);
   expect_bands_equal_frame<Map, image::Indexed8>(palette_screen({97, 133}, 256), frames);
   expect_bands_equal_frame<Map, image::Indexed4>(grey_screen<image::Indexed4>({128, 64}), frames);
   expect_bands_equal_frame<Map, image::Indexed2Lsb>(palette_screen({131, 70}, 4), frames);
   expect_bands_equal_frame<Map, image::Indexed1>(grey_screen<image::Indexed1>({96, 16}), frames);
+}
+
+TEST(Map, TurnedKnobsKeepBandsAndFramesEqual) {
+  expect_bands_equal_frame<Coarse, image::Indexed8>(palette_screen({320, 240}, 256), frames);
+  expect_bands_equal_frame<Coarse, image::Indexed4>(palette_screen({161, 90}, 16), frames);
 }
 
 TEST(Map, BitOrderAndStrideDontMatter) {
@@ -158,6 +173,45 @@ TEST(Map, MostVerticesOfAContinentLieThousandsOfPixelsOutsideAtTheDeepestZoom) {
   }
   EXPECT_EQ(largest, std::size_t{apps::map::land::largest_polygon});
   EXPECT_GT(beyond * 2, largest);
+}
+
+// Straight from the rule: the first vertex of a contour, and those that are far enough from the last kept.
+TEST(Coast, LeavesOutVerticesNearTheLastKeptOne) {
+  constexpr linear::Size size{320, 240};
+  constexpr linear::Rect window{0, 0, size.width, size.height};
+  constexpr int shortest = 512;
+  const Projection view(camera_at(60, size), size);
+  auto whole = std::make_unique<Coast>();
+  auto thin = std::make_unique<Coast>();
+  std::size_t vertices = 0;
+  std::size_t left = 0;
+  for (int i = 0; i < apps::map::piece_count; ++i) {
+    if (!whole->find(i, 0, view, window)) continue;
+    ASSERT_TRUE(thin->find(i, 0, view, window, shortest));
+    std::vector<linear::SubPoint> expected;
+    std::vector<int> lengths;
+    std::size_t at = 0;
+    for (std::size_t contour = 0; contour < whole->contour_lengths().size(); ++contour) {
+      const std::size_t first = expected.size();
+      for (int k = 0; k < whole->contour_lengths()[contour]; ++k, ++at) {
+        const linear::SubPoint v = whole->vertices()[at];
+        if (k > 0 && std::abs(v.x - expected.back().x) < shortest &&
+            std::abs(v.y - expected.back().y) < shortest)
+          continue;
+        expected.push_back(v);
+      }
+      lengths.push_back(static_cast<int>(expected.size() - first));
+    }
+    EXPECT_TRUE(std::equal(expected.begin(), expected.end(), thin->vertices().begin(), thin->vertices().end(),
+                           [](const auto& a, const auto& b) { return a.x == b.x && a.y == b.y; }))
+        << "piece " << i;
+    EXPECT_TRUE(std::equal(lengths.begin(), lengths.end(), thin->contour_lengths().begin(),
+                           thin->contour_lengths().end()));
+    vertices += whole->vertices().size();
+    left += thin->vertices().size();
+  }
+  EXPECT_GT(left, 300U);
+  EXPECT_LT(left * 2, vertices);
 }
 
 // Else the filling in halves, which the bands' test compares with small bands, would never run.

@@ -46,9 +46,10 @@ TYPED_TEST(RotateRungs, ShowPlacesWithinTheBoundOfTheirOwn) {
       return pixels;
     });
     for (int at = 0; at < side * side; ++at) {
-      const auto place =
-          oracle::turned_place(at % side, at / side, steps, {turn.pivot.x / 256.0, turn.pivot.y / 256.0},
-                               turn.position.x / 256.0, turn.position.y / 256.0);
+      const int x = at % side;
+      const int y = at / side;
+      const auto place = oracle::turned_place(x, y, steps, {turn.pivot.x / 256.0, turn.pivot.y / 256.0},
+                                              turn.position.x / 256.0, turn.position.y / 256.0);
       const auto pixel = static_cast<std::size_t>(at);
       if (shown.drawn(pixel) && place.inside(w, h)) worst = std::max(worst, place.distance(shown[pixel]));
     }

@@ -16,7 +16,8 @@ namespace lab {
 
 struct ImageRotate {
   static constexpr std::string_view name = "image-rotate";
-  static constexpr std::string_view title = "Turning a picture of values: how far off the places are that its pixels show";
+  static constexpr std::string_view title =
+      "Turning a picture of values: how far off the places are that its pixels show";
   static constexpr std::string_view per = "pixel";
   using Rungs = image::RotateFamily;
   using Default = image::RotateNearest;

@@ -47,10 +47,11 @@ struct ImageRotateErrors {
         });
     double worst = 0;
     for (int i = 0; i < side * side; ++i) {
+      const int x = left + i % side;
+      const int y = top + i / side;
       const auto place =
-          oracle::turned_place(left + i % side, top + i / side, static_cast<int>(c[0]),
-                               {turn.pivot.x / 256.0, turn.pivot.y / 256.0}, turn.position.x / 256.0,
-                               turn.position.y / 256.0);
+          oracle::turned_place(x, y, static_cast<int>(c[0]), {turn.pivot.x / 256.0, turn.pivot.y / 256.0},
+                               turn.position.x / 256.0, turn.position.y / 256.0);
       const auto pixel = static_cast<std::size_t>(i);
       if (shown.drawn(pixel) && place.inside(Family::columns, Family::rows))
         worst = std::max(worst, place.distance(shown[pixel]));

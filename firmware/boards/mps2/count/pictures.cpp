@@ -70,13 +70,21 @@ constexpr Row rows[] = {
        use(image::blit_scaled(pen.surface(), opaque(Rect{101, 77, 100, 60}), checkers));
      }},
     {"blit 64x64 to 100x60, bilinear in 1/16",
-     [](const Pen& pen) { stretch<image::ScaleBilinear4>(pen, opaque(Rect{101, 77, 100, 60})); }},
+     [](const Pen& pen) {
+       stretch<image::ScaleBilinear4>(pen, opaque(Rect{101, 77, 100, 60}));
+     }},
     {"blit 64x64 to 100x60, bilinear in 1/256",
-     [](const Pen& pen) { stretch<image::ScaleBilinear8>(pen, opaque(Rect{101, 77, 100, 60})); }},
+     [](const Pen& pen) {
+       stretch<image::ScaleBilinear8>(pen, opaque(Rect{101, 77, 100, 60}));
+     }},
     {"blit 64x64 to 100x60, boxes",
-     [](const Pen& pen) { stretch<image::ScaleBox>(pen, opaque(Rect{101, 77, 100, 60})); }},
+     [](const Pen& pen) {
+       stretch<image::ScaleBox>(pen, opaque(Rect{101, 77, 100, 60}));
+     }},
     {"blit 64x64 to 25x15, boxes",
-     [](const Pen& pen) { stretch<image::ScaleBox>(pen, opaque(Rect{101, 77, 25, 15})); }},
+     [](const Pen& pen) {
+       stretch<image::ScaleBox>(pen, opaque(Rect{101, 77, 25, 15}));
+     }},
     {"blit 64x64 turned by 30",
      [](const Pen& pen) {
        image::Rotozoom placement;

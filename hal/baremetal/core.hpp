@@ -13,6 +13,8 @@ void mask_interrupts() noexcept;
 void unmask_interrupts() noexcept;
 /// Sleeps until an interrupt wants to be taken, masked or not; returns at once if one already does.
 void wait_for_interrupt() noexcept;
+/// What was written to registers of the core itself is in force for all that follows.
+void synchronise() noexcept;
 
 /// The core that is linked in, as a type.
 struct ThisCore {

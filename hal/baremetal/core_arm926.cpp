@@ -28,5 +28,6 @@ void unmask_interrupts() noexcept {
 }
 
 void wait_for_interrupt() noexcept { asm volatile("mcr p15, 0, %0, c7, c0, 4" ::"r"(0) : "memory"); }
+void synchronise() noexcept { asm volatile("" ::: "memory"); }
 
 }  // namespace hal::baremetal

@@ -8,5 +8,6 @@ namespace hal::baremetal {
 void mask_interrupts() noexcept { asm volatile("csrci mstatus, 8" ::: "memory"); }
 void unmask_interrupts() noexcept { asm volatile("csrsi mstatus, 8" ::: "memory"); }
 void wait_for_interrupt() noexcept { asm volatile("wfi" ::: "memory"); }
+void synchronise() noexcept { asm volatile("fence" ::: "memory"); }
 
 }  // namespace hal::baremetal

@@ -5,27 +5,31 @@
 // low on the real board).
 //
 // The panel tells no VBLANK: SysTick, at a millisecond a tick, is the clock of its 60 frames a second.
+// The picture in RAM is what the panel shows: the memory protection unit makes it read-only while no frame is
+// begun, so drawing on it is a fault.
 // QEMU shows each pixel as 4x4 pixels and grey g of 16 as 17*g in all three colours. UART 0 carries reports.
 #pragma once
 
+#include <hal/baremetal/memory_guard.hpp>
 #include <hal/baremetal/pl022.hpp>
 #include <hal/baremetal/pl061.hpp>
 #include <hal/baremetal/text_output.hpp>
 #include <hal/panels/command_port.hpp>
 #include <hal/panels/ssd0323.hpp>
 #include <intaglio/image/format.hpp>
-#include <intaglio/present/frame_writer.hpp>
 
 #include <cstdint>
+#include <firmware/boards/common/guarded_screen.hpp>
 
 namespace boards::oled {
 
 class Board {
  public:
-  using Screen = intaglio::present::FrameWriter<intaglio::image::Indexed4>;
+  using Screen = GuardedScreen<intaglio::image::Indexed4, hal::baremetal::MemoryGuard>;
 
   Board() noexcept;
-  /// Turns on the UART, the frame clock and the panel. False if the panel doesn't start.
+  /// Turns on the UART, the guard of the picture, the frame clock and the panel. False if one of them doesn't
+  /// start.
   [[nodiscard]] bool start() noexcept;
   [[nodiscard]] Screen screen() noexcept;
   /// Ticks of the frame clock so far.
@@ -38,6 +42,7 @@ class Board {
   hal::baremetal::Pl061Pin chip_select_;
   hal::panels::SpiPort port_;
   hal::panels::Ssd0323 panel_;
+  hal::baremetal::MemoryGuard guard_;
 };
 
 }  // namespace boards::oled

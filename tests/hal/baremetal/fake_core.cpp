@@ -22,6 +22,7 @@ namespace hal::baremetal {
 
 void mask_interrupts() noexcept { masked_now = true; }
 void unmask_interrupts() noexcept { masked_now = false; }
+void synchronise() noexcept {}
 void wait_for_interrupt() noexcept {
   if (!fake_core::on_sleep) {
     std::fputs("a driver sleeps, and no interrupt is to come\n", stderr);

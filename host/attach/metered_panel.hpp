@@ -41,6 +41,8 @@ class MeteredPanel final : public hal::Panel {
     return panel_->show(index, palette);
   }
   bool do_show_pending() noexcept override { return panel_->show_pending(); }
+  bool do_show_replaced() noexcept override { return panel_->show_replaced(); }
+  int do_on_display() noexcept override { return panel_->on_display(); }
   hal::Status do_write(const hal::Rect& area, std::span<const std::uint8_t> pixels,
                        int stride) noexcept override;
   hal::Status do_load_palette(std::span<const std::uint8_t> palette) noexcept override {

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: MIT
+//
+// A screen by KMS, on a graphics card that isn't there.
+#include "libdrm/fake_card.hpp"
+
+#include <hal/linux/kms_panel.hpp>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <string>
+#include <vector>
+
+namespace {
+
+using fake_card::card;
+using hal::Error;
+using hal::Part;
+using hal::Status;
+using hal::linux_io::DeviceError;
+using hal::linux_io::Extent;
+using hal::linux_io::KmsPanel;
+using testing::AllOf;
+using testing::HasSubstr;
+
+/// All entries of one colour.
+std::vector<std::uint8_t> palette_of(std::uint8_t level) { return std::vector<std::uint8_t>(768, level); }
+
+class Kms : public testing::Test {
+ protected:
+  Kms() { fake_card::reset(); }
+  ~Kms() override {
+    EXPECT_EQ(kernel.open_files, 0) << "files are still open";
+    EXPECT_TRUE(card().buffers.empty()) << "buffers are still there";
+    EXPECT_TRUE(card().frame_buffers.empty());
+    EXPECT_EQ(card().maps, 0) << "memory is still mapped";
+  }
+
+  std::string refusal(Extent picture = {}) {
+    try {
+      KmsPanel("/dev/dri/card0", picture, kernel);
+    } catch (const DeviceError& error) {
+      return error.what();
+    }
+    return "it was accepted";
+  }
+  static void fill(KmsPanel& panel, int index, std::uint8_t pixel) {
+    std::ranges::fill(panel.buffer(index), pixel);
+  }
+
+  fake_card::Kernel kernel;
+};
+
+TEST_F(Kms, IsAPanelWithAPaletteOfTheScreensSize) {
+  KmsPanel panel("/dev/dri/card0", {}, kernel);
+  const hal::Capabilities& c = panel.capabilities();
+  EXPECT_EQ(c.width, 100);
+  EXPECT_EQ(c.height, 70);
+  EXPECT_EQ(c.palette_entries, 256);
+  EXPECT_EQ(c.buffers, 2);
+  EXPECT_TRUE(c.vblank_signal);
+  EXPECT_EQ(c.refresh_millihertz, 60'000U);
+  EXPECT_EQ(panel.buffer(1).size(), 7000U);
+}
+
+TEST_F(Kms, ASmallPictureIsEnlargedByAWholeNumberInTheMiddle) {
+  KmsPanel panel("/dev/dri/card0", {31, 22}, kernel);
+  std::vector<std::uint8_t> colours(768);
+  for (std::size_t i = 0; i < 768; ++i) colours[i] = static_cast<std::uint8_t>(i * 5U);
+  const std::span<std::uint8_t> pixels = panel.buffer(1);
+  for (std::size_t i = 0; i < pixels.size(); ++i) pixels[i] = static_cast<std::uint8_t>(i * 7U);
+  ASSERT_TRUE(panel.show(1, colours).ok());
+  card().vblank();
+  int wrong = 0;
+  for (int y = 0; y < 70; ++y)
+    for (int x = 0; x < 100; ++x) {
+      // Three times, 93x66, from (3, 2) on.
+      std::uint32_t expected = 0;
+      if (x >= 3 && x < 96 && y >= 2 && y < 68) {
+        const unsigned index = pixels[static_cast<std::size_t>((y - 2) / 3 * 31 + (x - 3) / 3)];
+        expected = static_cast<std::uint32_t>(colours[3U * index]) << 16U |
+                   static_cast<std::uint32_t>(colours[3U * index + 1U]) << 8U | colours[3U * index + 2U];
+      }
+      wrong += card().pixel(x, y) != expected;
+    }
+  EXPECT_EQ(wrong, 0);
+}
+
+TEST_F(Kms, FrameAndPaletteAppearTogetherAtTheVblank) {
+  KmsPanel panel("/dev/dri/card0", {}, kernel);
+  ASSERT_TRUE(panel.show(1, palette_of(0x11)).ok());
+  ASSERT_TRUE(panel.wait_for_vblank().ok());
+  EXPECT_EQ(card().pixel(5, 5), 0x111111U);
+  fill(panel, 0, 3);
+  ASSERT_TRUE(panel.show(0, palette_of(0x22)).ok());
+  EXPECT_TRUE(panel.show_pending());
+  EXPECT_EQ(card().pixel(5, 5), 0x111111U);
+  const std::uint32_t before = panel.vblank_count();
+  ASSERT_TRUE(panel.wait_for_vblank().ok());
+  EXPECT_FALSE(panel.show_pending());
+  EXPECT_EQ(panel.vblank_count(), before + 1U);
+  EXPECT_EQ(card().pixel(5, 5), 0x222222U);
+  EXPECT_EQ(panel.flips(), 2U);
+}
+
+TEST_F(Kms, EveryVblankShowsAFrameThatIsWhole) {
+  KmsPanel panel("/dev/dri/card0", {}, kernel);
+  const std::uint32_t first = panel.vblank_count();
+  for (unsigned i = 0; i < 600; ++i) {
+    fill(panel, static_cast<int>(i % 2U), static_cast<std::uint8_t>(i));
+    ASSERT_TRUE(panel.show(static_cast<int>(i % 2U), palette_of(static_cast<std::uint8_t>(i))).ok());
+    while (panel.show_pending()) ASSERT_TRUE(panel.wait_for_vblank().ok());
+    ASSERT_EQ(card().pixel(99, 69) & 0xFFU, i & 0xFFU);
+    ASSERT_EQ(card().pixel(0, 0), card().pixel(99, 69));
+  }
+  EXPECT_EQ(panel.flips(), 600U);
+  EXPECT_EQ(panel.vblank_count() - first, 600U);
+}
+
+TEST_F(Kms, ARequestBehindAFlipTakesTheVblankAfterAndTheLastOneWins) {
+  KmsPanel panel("/dev/dri/card0", {}, kernel);
+  ASSERT_TRUE(panel.show(0, palette_of(1)).ok());
+  ASSERT_TRUE(panel.show(1, palette_of(2)).ok());
+  ASSERT_TRUE(panel.show(0, palette_of(3)).ok());
+  ASSERT_TRUE(panel.wait_for_vblank().ok());
+  EXPECT_EQ(card().pixel(0, 0), 0x010101U);
+  EXPECT_TRUE(panel.show_pending());
+  ASSERT_TRUE(panel.wait_for_vblank().ok());
+  EXPECT_EQ(card().pixel(0, 0), 0x030303U);
+  EXPECT_FALSE(panel.show_pending());
+  EXPECT_EQ(panel.flips(), 2U);
+}
+
+TEST_F(Kms, ColoursAloneCanBeLoaded) {
+  KmsPanel panel("/dev/dri/card0", {}, kernel);
+  ASSERT_TRUE(panel.show(1, palette_of(7)).ok());
+  ASSERT_TRUE(panel.wait_for_vblank().ok());
+  ASSERT_TRUE(panel.load_palette(palette_of(9)).ok());
+  EXPECT_EQ(card().pixel(50, 50), 0x090909U);
+}
+
+TEST_F(Kms, VblanksAreWaitedForWithoutAFlipToo) {
+  KmsPanel panel("/dev/dri/card0", {}, kernel);
+  const std::uint32_t before = panel.vblank_count();
+  ASSERT_TRUE(panel.wait_for_vblank().ok());
+  EXPECT_EQ(panel.vblank_count(), before + 1U);
+}
+
+TEST_F(Kms, ADriverThatTellsNoVblanksIsStoodInForByATimer) {
+  card().tells_vblanks = false;
+  KmsPanel panel("/dev/dri/card0", {}, kernel);
+  EXPECT_FALSE(panel.tells_vblanks());
+  EXPECT_FALSE(panel.capabilities().vblank_signal);
+  const std::uint32_t before = panel.vblank_count();
+  ASSERT_TRUE(panel.wait_for_vblank().ok());
+  EXPECT_GT(panel.vblank_count(), before);
+}
+
+TEST_F(Kms, TheScreenIsGivenBackAsItWas) {
+  for (const std::uint32_t before : {0U, 77U}) {
+    card().shown_before = before;
+    {
+      KmsPanel panel("/dev/dri/card0", {}, kernel);
+      ASSERT_TRUE(panel.show(1, palette_of(7)).ok());
+      EXPECT_NE(card().shown, before);
+    }
+    EXPECT_EQ(card().shown, before);
+  }
+}
+
+TEST_F(Kms, FaultsNameTheCard) {
+  {
+    KmsPanel panel("/dev/dri/card0", {}, kernel);
+    card().flip_error = ENODEV;
+    EXPECT_EQ(panel.show(1, {}), Status(Error::disconnected, Part::buffer));
+    EXPECT_THAT(panel.fault(), AllOf(HasSubstr("graphics card /dev/dri/card0"), HasSubstr("gone")));
+  }
+  card().flip_error = 0;
+  KmsPanel panel("/dev/dri/card0", {}, kernel);
+  card().flips_stick = true;
+  ASSERT_TRUE(panel.show(1, {}).ok());
+  EXPECT_EQ(panel.wait_for_vblank(), Status(Error::timeout, Part::buffer));
+  EXPECT_THAT(panel.fault(), HasSubstr("a page flip didn't happen"));
+}
+
+TEST_F(Kms, WhatCanNotBeHadIsSaid) {
+  kernel.open_error = EACCES;
+  EXPECT_THAT(refusal(), HasSubstr("graphics card /dev/dri/card0: permission denied; "));
+  kernel.open_error = 0;
+  EXPECT_THAT(refusal({101, 70}), HasSubstr("100x70 pixels, too few for 101x70"));
+  card().resources_error = EOPNOTSUPP;
+  EXPECT_THAT(refusal(), HasSubstr("/dev/dri/card0 has no screens"));
+  card().resources_error = 0;
+  card().set_error = EACCES;
+  EXPECT_THAT(refusal(), AllOf(HasSubstr("Permission denied"), HasSubstr("a desktop holds it")));
+  card().set_error = 0;
+  card().has_dumb_buffers = false;
+  EXPECT_THAT(refusal(), HasSubstr("no buffers that programs can draw in"));
+  card().plugged_in = false;
+  EXPECT_THAT(refusal(), HasSubstr("no screen is plugged in"));
+}
+
+TEST_F(Kms, ScreensAreListed) {
+  EXPECT_THAT(hal::linux_io::kms_screens("/dev/dri/card0", kernel), testing::ElementsAre("100x70"));
+  card().plugged_in = false;
+  EXPECT_TRUE(hal::linux_io::kms_screens("/dev/dri/card0", kernel).empty());
+  kernel.open_error = ENOENT;
+  EXPECT_TRUE(hal::linux_io::kms_screens("/dev/dri/card9", kernel).empty());
+}
+
+}  // namespace

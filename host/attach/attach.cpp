@@ -8,6 +8,7 @@
 #include <exception>
 #include <filesystem>
 #include <system_error>
+#include <utility>
 
 namespace host {
 
@@ -79,6 +80,13 @@ std::unique_ptr<AttachedPanel> attach(const AttachOptions& options) {
   const std::string_view scheme = scheme_of(options.panel);
   if (!scheme.empty() && wired(options))
     throw Failure("--panel " + options.panel + " has no wires: leave --spi, --i2c and --bitbang out");
+  if (scheme == "kms:" || scheme == "fb:")
+    for (const auto& [given, option] :
+         {std::pair(!options.data_command.empty(), "--dc"), std::pair(!options.reset.empty(), "--reset"),
+          std::pair(!options.te.empty(), "--te"), std::pair(options.rotate != 0, "--rotate"),
+          std::pair(options.invert, "--invert"), std::pair(options.dither, "--dither"),
+          std::pair(options.contrast.has_value(), "--contrast")})
+      if (given) throw Failure("--panel " + options.panel + " knows no " + option);
   const std::string_view wanted = scheme.empty() ? std::string_view(options.panel) : scheme;
   const std::vector<Backend> all = backends();
   const auto found = std::ranges::find(all, wanted, &Backend::name);

@@ -36,6 +36,7 @@ struct AttachOptions {
   std::string te{};
   int rotate = 0;  ///< 0, 90, 180, 270 degrees.
   bool invert = false;
+  bool dither = false;                   ///< The program draws 256 colours, the panel shows its greys.
   std::optional<int> contrast{};         ///< 0..255
   std::uint32_t refresh_millihertz = 0;  ///< Where the panel doesn't tell it; 0: its usual.
 };

@@ -93,11 +93,12 @@ HidDevice find(const HidApi& api, const AttachOptions& options, const Name& name
 }
 
 void refuse_wires(const AttachOptions& o) {
-  const std::array<std::pair<bool, const char*>, 6> given{{{!o.data_command.empty(), "--dc"},
+  const std::array<std::pair<bool, const char*>, 7> given{{{!o.data_command.empty(), "--dc"},
                                                            {!o.reset.empty(), "--reset"},
                                                            {!o.te.empty(), "--te"},
                                                            {o.rotate != 0, "--rotate"},
                                                            {o.invert, "--invert"},
+                                                           {o.dither, "--dither"},
                                                            {o.contrast.has_value(), "--contrast"}}};
   for (const auto& [is, option] : given)
     if (is) throw Failure(o.panel + " knows no " + option);

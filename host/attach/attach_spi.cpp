@@ -6,6 +6,7 @@
 #include <hal/linux/i2c_device.hpp>
 #include <hal/linux/monotonic_clock.hpp>
 #include <hal/linux/spi_device.hpp>
+#include <hal/panels/expanded_panel.hpp>
 #include <hal/panels/modules.hpp>
 #include <hal/panels/reset_line.hpp>
 #include <host/attach/backend.hpp>
@@ -130,6 +131,11 @@ class WiredPanel final : public AttachedPanel {
       : options_(options),
         wires_(options_, module.i2c_address, module.i2c_framing),
         driver_(module.make(storage_, parts_of(module))) {
+    if (options_.dither) {
+      if (driver_.capabilities().palette_entries > 0)
+        throw Failure(options_.panel + " has colours of its own: --dither is for panels of greys");
+      expanded_.emplace(driver_, expansion_);
+    }
     hal::Status s = wires_.reset();
     if (s.ok()) s = driver_.start();
     if (s.ok()) return;
@@ -142,7 +148,10 @@ class WiredPanel final : public AttachedPanel {
     if (!kept_) driver_.stop().ignore();
   }
 
-  hal::Panel& panel() override { return driver_; }
+  hal::Panel& panel() override {
+    if (expanded_) return *expanded_;
+    return driver_;
+  }
   std::string description() const override {
     const hal::Capabilities& c = driver_.capabilities();
     return options_.panel + ", " + std::to_string(c.width) + 'x' + std::to_string(c.height) + ", on " +
@@ -165,8 +174,9 @@ class WiredPanel final : public AttachedPanel {
     hal::panels::ModuleParts parts;
     parts.port = &wires_.port();
     parts.clock = &wires_.clock();
-    constexpr std::uint32_t usual_refresh = 60'000;
-    parts.vblank = wires_.te(options_.refresh_millihertz == 0 ? usual_refresh : options_.refresh_millihertz);
+    const std::uint32_t asked = options_.refresh_millihertz;
+    parts.vblank = wires_.te(asked == 0 ? module.refresh_millihertz : asked);
+    parts.options.refresh_millihertz = asked;
     parts.options.rotation = rotation_of(options_);
     parts.options.negative = options_.invert;
     if (options_.contrast) parts.options.contrast = static_cast<std::uint8_t>(*options_.contrast);
@@ -180,6 +190,8 @@ class WiredPanel final : public AttachedPanel {
   std::array<std::uint8_t, 4096> workspace_{};  // As much as spidev takes at once.
   hal::panels::ModuleStorage storage_;
   hal::panels::BusPanel& driver_;
+  std::array<std::uint8_t, 1024> expansion_{};
+  std::optional<hal::panels::ExpandedPanel> expanded_;
   bool kept_ = false;
 };
 

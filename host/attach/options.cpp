@@ -32,6 +32,9 @@ void add_attach_options(CLI::App& app, AttachOptions& options) {
       ->check(CLI::IsMember({0, 90, 180, 270}))
       ->group(group);
   app.add_flag("--invert", options.invert, "Show the negative")->group(group);
+  app.add_flag("--dither", options.dither,
+               "Draw 256 colours on a panel of greys, which shows the nearest, or dithers if it has but two")
+      ->group(group);
   app.add_option("--contrast", options.contrast, "Contrast or brightness, 0 to 255")
       ->check(CLI::Range(0, 255))
       ->group(group);

@@ -17,8 +17,6 @@
 namespace {
 
 using hal::Error;
-using hal::Part;
-using hal::Status;
 using hal::linux_io::DeviceError;
 using hal::linux_io::Extent;
 using hal::linux_io::FbPanel;

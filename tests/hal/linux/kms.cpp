@@ -32,7 +32,7 @@ class Kms : public testing::Test {
  protected:
   Kms() { fake_card::reset(); }
   ~Kms() override {
-    EXPECT_EQ(kernel.open_files, 0) << "files are still open";
+    EXPECT_EQ(kernel_.open_files, 0) << "files are still open";
     EXPECT_TRUE(card().buffers.empty()) << "buffers are still there";
     EXPECT_TRUE(card().frame_buffers.empty());
     EXPECT_EQ(card().maps, 0) << "memory is still mapped";
@@ -40,7 +40,7 @@ class Kms : public testing::Test {
 
   std::string refusal(Extent picture = {}) {
     try {
-      KmsPanel("/dev/dri/card0", picture, kernel);
+      KmsPanel("/dev/dri/card0", picture, kernel_);
     } catch (const DeviceError& error) {
       return error.what();
     }
@@ -50,11 +50,11 @@ class Kms : public testing::Test {
     std::ranges::fill(panel.buffer(index), pixel);
   }
 
-  fake_card::Kernel kernel;
+  fake_card::Kernel kernel_;
 };
 
 TEST_F(Kms, IsAPanelWithAPaletteOfTheScreensSize) {
-  KmsPanel panel("/dev/dri/card0", {}, kernel);
+  KmsPanel panel("/dev/dri/card0", {}, kernel_);
   const hal::Capabilities& c = panel.capabilities();
   EXPECT_EQ(c.width, 100);
   EXPECT_EQ(c.height, 70);
@@ -66,7 +66,7 @@ TEST_F(Kms, IsAPanelWithAPaletteOfTheScreensSize) {
 }
 
 TEST_F(Kms, ASmallPictureIsEnlargedByAWholeNumberInTheMiddle) {
-  KmsPanel panel("/dev/dri/card0", {31, 22}, kernel);
+  KmsPanel panel("/dev/dri/card0", {31, 22}, kernel_);
   std::vector<std::uint8_t> colours(768);
   for (std::size_t i = 0; i < 768; ++i) colours[i] = static_cast<std::uint8_t>(i * 5U);
   const std::span<std::uint8_t> pixels = panel.buffer(1);
@@ -89,7 +89,7 @@ TEST_F(Kms, ASmallPictureIsEnlargedByAWholeNumberInTheMiddle) {
 }
 
 TEST_F(Kms, FrameAndPaletteAppearTogetherAtTheVblank) {
-  KmsPanel panel("/dev/dri/card0", {}, kernel);
+  KmsPanel panel("/dev/dri/card0", {}, kernel_);
   ASSERT_TRUE(panel.show(1, palette_of(0x11)).ok());
   ASSERT_TRUE(panel.wait_for_vblank().ok());
   EXPECT_EQ(card().pixel(5, 5), 0x111111U);
@@ -106,7 +106,7 @@ TEST_F(Kms, FrameAndPaletteAppearTogetherAtTheVblank) {
 }
 
 TEST_F(Kms, EveryVblankShowsAFrameThatIsWhole) {
-  KmsPanel panel("/dev/dri/card0", {}, kernel);
+  KmsPanel panel("/dev/dri/card0", {}, kernel_);
   const std::uint32_t first = panel.vblank_count();
   for (unsigned i = 0; i < 600; ++i) {
     fill(panel, static_cast<int>(i % 2U), static_cast<std::uint8_t>(i));
@@ -120,7 +120,7 @@ TEST_F(Kms, EveryVblankShowsAFrameThatIsWhole) {
 }
 
 TEST_F(Kms, ARequestBehindAFlipTakesTheVblankAfterAndTheLastOneWins) {
-  KmsPanel panel("/dev/dri/card0", {}, kernel);
+  KmsPanel panel("/dev/dri/card0", {}, kernel_);
   ASSERT_TRUE(panel.show(0, palette_of(1)).ok());
   ASSERT_TRUE(panel.show(1, palette_of(2)).ok());
   ASSERT_TRUE(panel.show(0, palette_of(3)).ok());
@@ -134,7 +134,7 @@ TEST_F(Kms, ARequestBehindAFlipTakesTheVblankAfterAndTheLastOneWins) {
 }
 
 TEST_F(Kms, ColoursAloneCanBeLoaded) {
-  KmsPanel panel("/dev/dri/card0", {}, kernel);
+  KmsPanel panel("/dev/dri/card0", {}, kernel_);
   ASSERT_TRUE(panel.show(1, palette_of(7)).ok());
   ASSERT_TRUE(panel.wait_for_vblank().ok());
   ASSERT_TRUE(panel.load_palette(palette_of(9)).ok());
@@ -142,7 +142,7 @@ TEST_F(Kms, ColoursAloneCanBeLoaded) {
 }
 
 TEST_F(Kms, VblanksAreWaitedForWithoutAFlipToo) {
-  KmsPanel panel("/dev/dri/card0", {}, kernel);
+  KmsPanel panel("/dev/dri/card0", {}, kernel_);
   const std::uint32_t before = panel.vblank_count();
   ASSERT_TRUE(panel.wait_for_vblank().ok());
   EXPECT_EQ(panel.vblank_count(), before + 1U);
@@ -150,7 +150,7 @@ TEST_F(Kms, VblanksAreWaitedForWithoutAFlipToo) {
 
 TEST_F(Kms, ADriverThatTellsNoVblanksIsStoodInForByATimer) {
   card().tells_vblanks = false;
-  KmsPanel panel("/dev/dri/card0", {}, kernel);
+  KmsPanel panel("/dev/dri/card0", {}, kernel_);
   EXPECT_FALSE(panel.tells_vblanks());
   EXPECT_FALSE(panel.capabilities().vblank_signal);
   const std::uint32_t before = panel.vblank_count();
@@ -162,7 +162,7 @@ TEST_F(Kms, TheScreenIsGivenBackAsItWas) {
   for (const std::uint32_t before : {0U, 77U}) {
     card().shown_before = before;
     {
-      KmsPanel panel("/dev/dri/card0", {}, kernel);
+      KmsPanel panel("/dev/dri/card0", {}, kernel_);
       ASSERT_TRUE(panel.show(1, palette_of(7)).ok());
       EXPECT_NE(card().shown, before);
     }
@@ -172,13 +172,13 @@ TEST_F(Kms, TheScreenIsGivenBackAsItWas) {
 
 TEST_F(Kms, FaultsNameTheCard) {
   {
-    KmsPanel panel("/dev/dri/card0", {}, kernel);
+    KmsPanel panel("/dev/dri/card0", {}, kernel_);
     card().flip_error = ENODEV;
     EXPECT_EQ(panel.show(1, {}), Status(Error::disconnected, Part::buffer));
     EXPECT_THAT(panel.fault(), AllOf(HasSubstr("graphics card /dev/dri/card0"), HasSubstr("gone")));
   }
   card().flip_error = 0;
-  KmsPanel panel("/dev/dri/card0", {}, kernel);
+  KmsPanel panel("/dev/dri/card0", {}, kernel_);
   card().flips_stick = true;
   ASSERT_TRUE(panel.show(1, {}).ok());
   EXPECT_EQ(panel.wait_for_vblank(), Status(Error::timeout, Part::buffer));
@@ -186,9 +186,9 @@ TEST_F(Kms, FaultsNameTheCard) {
 }
 
 TEST_F(Kms, WhatCanNotBeHadIsSaid) {
-  kernel.open_error = EACCES;
+  kernel_.open_error = EACCES;
   EXPECT_THAT(refusal(), HasSubstr("graphics card /dev/dri/card0: permission denied; "));
-  kernel.open_error = 0;
+  kernel_.open_error = 0;
   EXPECT_THAT(refusal({101, 70}), HasSubstr("100x70 pixels, too few for 101x70"));
   card().resources_error = EOPNOTSUPP;
   EXPECT_THAT(refusal(), HasSubstr("/dev/dri/card0 has no screens"));
@@ -203,11 +203,11 @@ TEST_F(Kms, WhatCanNotBeHadIsSaid) {
 }
 
 TEST_F(Kms, ScreensAreListed) {
-  EXPECT_THAT(hal::linux_io::kms_screens("/dev/dri/card0", kernel), testing::ElementsAre("100x70"));
+  EXPECT_THAT(hal::linux_io::kms_screens("/dev/dri/card0", kernel_), testing::ElementsAre("100x70"));
   card().plugged_in = false;
-  EXPECT_TRUE(hal::linux_io::kms_screens("/dev/dri/card0", kernel).empty());
-  kernel.open_error = ENOENT;
-  EXPECT_TRUE(hal::linux_io::kms_screens("/dev/dri/card9", kernel).empty());
+  EXPECT_TRUE(hal::linux_io::kms_screens("/dev/dri/card0", kernel_).empty());
+  kernel_.open_error = ENOENT;
+  EXPECT_TRUE(hal::linux_io::kms_screens("/dev/dri/card9", kernel_).empty());
 }
 
 }  // namespace

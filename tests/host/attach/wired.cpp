@@ -136,6 +136,25 @@ TEST_F(Wired, AnSt7789IsTurnedInvertedAndToldToPulseItsTeLine) {
   EXPECT_FALSE(model.on());
 }
 
+TEST_F(Wired, APanelOfTwoColoursDithersAPictureOf256) {
+  hal::mock::StrictSsd1306 model(128, 64);
+  put_at_the_ends(model);
+  AttachOptions options = by_hand("ssd1306");
+  options.dither = true;
+  const auto attached = host::attach(options);
+  hal::Panel& panel = attached->panel();
+  EXPECT_EQ(panel.capabilities().palette_entries, 256);
+  const std::vector<std::uint8_t> grey(3, 128);
+  ASSERT_TRUE(panel.load_palette(grey).ok());
+  const std::vector<std::uint8_t> pixels(128 * 64);
+  ASSERT_TRUE(panel.write({0, 0, 128, 64}, pixels, 128).ok());
+  const hal::mock::Pattern glass = model.displayed();
+  int lit = 0;
+  for (int y = 0; y < 64; ++y)
+    for (int x = 0; x < 128; ++x) lit += glass.at(x, y);
+  EXPECT_NEAR(lit, 128 * 64 / 4, 128 * 64 / 8) << "half the code is less than half the light";
+}
+
 TEST_F(Wired, APanelThatKeepsItsPictureIsLeftOn) {
   hal::mock::StrictSsd1306 model(128, 64);
   put_at_the_ends(model);
@@ -193,6 +212,13 @@ TEST_F(Wired, OptionsThatMakeNoSenseAreSaid) {
   options = by_hand("ssd1306");
   options.te = "TE";
   EXPECT_THAT(refusal(options), HasSubstr("--te"));
+  options = by_hand("st7789");
+  options.dither = true;
+  EXPECT_THAT(refusal(options), HasSubstr("--dither"));
+  EXPECT_THAT(refusal({.panel = "kms:/dev/dri/card0", .rotate = 90}), HasSubstr("knows no --rotate"));
+  EXPECT_THAT(refusal({.panel = "fb:"}), HasSubstr("names no device"));
+  for (const char* const size : {"320x", "x240", "320x240x8", "0x5", "320", ""})
+    EXPECT_THAT(refusal({.panel = std::string("fb:/dev/fb0@") + size}), HasSubstr("as in @320x240")) << size;
   EXPECT_THAT(refusal(by_hand("ssd9999")), AllOf(HasSubstr("'ssd9999'"), HasSubstr("ssd1306")));
   EXPECT_THAT(refusal(by_hand("nowhere:1")), HasSubstr("no wires"));
   EXPECT_THAT(refusal({.panel = "nowhere:1"}), HasSubstr("'nowhere:'"));

@@ -25,6 +25,10 @@ struct Board {
   [[nodiscard]] static hal::Panel& panel() noexcept;
   /// VBLANKs so far.
   [[nodiscard]] static std::uint32_t vblanks() noexcept;
+  /// The board's counter of 24 MHz; wraps.
+  [[nodiscard]] static std::uint32_t time() noexcept;
+  /// Its value when the latest VBLANK began.
+  [[nodiscard]] static std::uint32_t vblank_time() noexcept;
   [[nodiscard]] static hal::baremetal::TextOutput& serial() noexcept;
 };
 

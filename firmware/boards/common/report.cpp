@@ -13,6 +13,15 @@ void report_frame(hal::baremetal::TextOutput& serial, std::uint32_t frame, std::
   serial.text("\n");
 }
 
+void report_work(hal::baremetal::TextOutput& serial, std::span<const std::uint32_t> times) noexcept {
+  serial.text("work");
+  for (const std::uint32_t time : times) {
+    serial.text(" ");
+    serial.decimal(time);
+  }
+  serial.text("\n");
+}
+
 void report_end(hal::baremetal::TextOutput& serial, std::span<const std::uint16_t> vblanks,
                 std::uint32_t missed) noexcept {
   std::uint32_t all = 0;

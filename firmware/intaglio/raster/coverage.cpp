@@ -12,8 +12,8 @@ namespace detail {
 namespace {
 
 constexpr int half = linear::subpixel_one / 2;
-// From 1/256 row to a height in 2^-30.
-constexpr int height_bits = 30 - linear::subpixel_bits;
+// From 1/256 row to a height in units of areas.
+constexpr std::uint32_t height_unit = CoverageEdge::whole / linear::subpixel_one;
 
 /// The upper side of a row, in 1/256 pixel.
 constexpr int side(int row) noexcept { return row * linear::subpixel_one - half; }
@@ -70,7 +70,6 @@ struct Downwards {
 
   Downwards(const linear::SubPoint& from, const linear::SubPoint& to) noexcept
       : top(to.y < from.y ? to : from), bottom(to.y < from.y ? from : to), upwards(to.y < from.y) {}
-  [[nodiscard]] int first_row() const noexcept { return pixel_at(top.y); }
   [[nodiscard]] int last_row() const noexcept { return pixel_at(bottom.y - 1); }
 };
 
@@ -86,6 +85,9 @@ CoverageScan::CoverageScan(FillRule rule, const linear::Rect& clip,
 /// Calls visit(index, index) with the ends of each edge that adds something to the area.
 template <class Visit>
 void CoverageScan::visit_edges(Visit visit) const noexcept {
+  const int top = side(area_.y);
+  const int bottom = side(area_.bottom());
+  const int right = side(area_.right());
   std::uint32_t begin = 0;
   for (const int length : contour_lengths_) {
     const std::uint32_t end = begin + static_cast<std::uint32_t>(length);
@@ -93,9 +95,8 @@ void CoverageScan::visit_edges(Visit visit) const noexcept {
       for (std::uint32_t to = begin, from = end - 1; to != end; from = to++) {
         const linear::SubPoint& a = vertices_[from];
         const linear::SubPoint& b = vertices_[to];
-        const Downwards edge(a, b);
-        if (a.y != b.y && edge.last_row() >= area_.y && edge.first_row() < area_.bottom() &&
-            std::min(a.x, b.x) < side(area_.right()))
+        if (a.y != b.y && std::max(a.y, b.y) > top && std::min(a.y, b.y) < bottom &&
+            std::min(a.x, b.x) < right)
           visit(from, to);
       }
     }
@@ -117,32 +118,37 @@ Status CoverageScan::prepare() noexcept {
   const int right = std::min(area_.right(), pixel_at(high.x) + 1);
   const int bottom = std::min(area_.bottom(), pixel_at(high.y) + 1);
   area_ = left < right && top < bottom ? linear::Rect{left, top, right - left, bottom - top} : linear::Rect{};
-  cell_count_ = 0;
-  edge_count_ = 0;
-  if (area_.empty()) return {};
-  visit_edges([&](std::uint32_t, std::uint32_t) { ++edge_count_; });
-  cell_count_ =
-      static_cast<std::uint32_t>(coverage_cells(static_cast<std::size_t>(edge_count_), area_.width));
   return {};
 }
 
+std::uint32_t CoverageScan::count() const noexcept {
+  if (area_.empty()) return 0;
+  std::size_t edges = 0;
+  visit_edges([&](std::uint32_t, std::uint32_t) { ++edges; });
+  return static_cast<std::uint32_t>(coverage_cells(edges, area_.width));
+}
+
 Status CoverageScan::use(const std::span<CoverageCell>& cells) noexcept {
-  if (cells.size() < cell_count_) return {Error::too_small, Argument::workspace, cell_count_};
-  if (cell_count_ == 0) return {};
+  if (area_.empty()) return {};
+  // Most often there is room for all edges, and no need to count those that add something.
+  if (cells.size() < coverage_cells(vertices_.size(), area_.width)) {
+    const std::uint32_t needed = count();
+    if (cells.size() < needed) return {Error::too_small, Argument::workspace, needed};
+  }
   // Edges first: all are aligned alike. Cells that change their type begin a new life.
   std::size_t next = 0;
-  const auto add = [&](int row, std::uint32_t from, std::uint32_t to) -> CoverageEdge& {
+  const auto add = [&](int row, std::uint32_t from, std::uint32_t to) -> CoverageEdge* {
     auto* const place = reinterpret_cast<CoverageEdge*>(&cells[next]);
     next += cells_of_edge;
-    return *std::construct_at(place, row, static_cast<std::int32_t>(from), static_cast<std::int32_t>(to));
+    return std::construct_at(place, row, static_cast<std::int32_t>(from), static_cast<std::int32_t>(to));
   };
-  CoverageEdge& last = add(INT32_MAX, 0, 0);
-  last.left = INT32_MAX;
-  head_.follower = waiting_ = end_ = &last;
+  head_.follower = waiting_ = end_ = add(INT32_MAX, 0, 0);
+  end_->left = INT32_MAX;
+  CoverageEdge* last = end_;
   visit_edges([&](std::uint32_t from, std::uint32_t to) {
-    add(std::max(Downwards(vertices_[from], vertices_[to]).first_row(), area_.y), from, to);
+    last = add(std::max(pixel_at(std::min(vertices_[from].y, vertices_[to].y)), area_.y), from, to);
   });
-  if (edge_count_ > 0) waiting_ = sorted(end_ + 1, end_ + 1 + edge_count_);
+  if (last != end_) waiting_ = sorted(end_ + 1, last + 1);
   cells_ = &cells[next];
   for (int i = 0; i <= area_.width; ++i) cells_[i].change_ = 0;
   return {};
@@ -214,24 +220,6 @@ void CoverageScan::start_edges() noexcept {
   } while (waiting_->row == y_);
 }
 
-/// Goes on to the next row with a pair after `before`. The cells of its columns hold what the first piece
-/// covers and the second doesn't.
-CoverageScan::Group CoverageScan::take_pair(CoverageEdge* before) noexcept {
-  CoverageCell* const cells = cells_;
-  CoverageEdge& a = *before->follower;
-  CoverageEdge& b = *a.follower;
-  CoverageEdge* const follower = b.follower;
-  const CoverageEdge::Piece first = a.piece();
-  const CoverageEdge::Piece second = b.piece();
-  a.visit_columns<true>(first, whole, 0, [cells](int x, std::uint32_t area) { cells[x].change_ = area; });
-  for (int x = first.right + 1; x <= second.right; ++x) cells[x].change_ = whole;
-  b.visit_columns<true>(second, whole, 0, [cells](int x, std::uint32_t area) { cells[x].change_ -= area; });
-  for (int x = second.right + 1; x <= first.right; ++x) cells[x].change_ -= whole;
-  place(a, &b, before);
-  place(b, follower, before);
-  return {before, first.left, std::max(first.right, second.right) + 1};
-}
-
 /// Up to which row, or an earlier one, an edge that has gone on to the next row touches visible columns only,
 /// before its last row.
 int CoverageScan::plain_until(const CoverageEdge& edge) const noexcept {
@@ -257,14 +245,14 @@ CoverageScan::Group CoverageScan::add_group(CoverageEdge* before) noexcept {
       const CoverageEdge::Piece piece = edge.last_piece();
       begin = std::min(begin, piece.left);
       right = std::max(right, piece.right);
-      add_piece(edge, piece, std::uint32_t{edge.last_height} << height_bits);
+      add_piece(edge, piece, (edge.last_height + 1U) * height_unit);
       before->follower = follower;
     } else {
       const CoverageEdge::Piece piece = edge.piece();
       begin = std::min(begin, piece.left);
       right = std::max(right, piece.right);
-      add_piece(edge, piece, std::uint32_t{edge.height} << height_bits);
-      edge.height = linear::subpixel_one;
+      add_piece(edge, piece, (edge.height + 1U) * height_unit);
+      edge.height = linear::subpixel_one - 1;
       place(edge, follower, before);
       edge.plain = plain_until(edge);
     }
@@ -293,10 +281,13 @@ void CoverageScan::start(CoverageEdge& edge) noexcept {
     const std::uint32_t d = width << static_cast<unsigned>(down);
     const int digits = n >= d ? 31 : 32;
     // Halves: both are even, and the dividend stays below 2^63.
-    edge.slope = number::long_divide(std::uint64_t{n / 2} << static_cast<unsigned>(digits), d / 2).quotient;
-    const int shift = digits + up - down - 31;
+    const std::uint32_t ratio =
+        number::long_divide(std::uint64_t{n / 2} << static_cast<unsigned>(digits), d / 2).quotient;
+    const int shift = digits + up - down - 30;
+    const std::uint64_t slope = std::uint64_t{ratio - ratio / 256 - 1} << 32U >> std::max(shift, 0);
     edge.up = static_cast<std::uint8_t>(std::max(-shift, 0));
-    edge.down = static_cast<std::uint8_t>(std::max(shift, 0) + 1);
+    edge.slope = upper(slope);
+    edge.slope_fine = static_cast<std::uint32_t>(slope);
   }
   edge.turn = static_cast<std::int8_t>(way.upwards ? -1 : 1);
   edge.row = way.last_row();
@@ -310,10 +301,10 @@ void CoverageScan::start(CoverageEdge& edge) noexcept {
   edge.top_fraction = upper(from.fraction);
   int last_column = pixel_at(edge.x_end - half);
   if (edge.row == y_) {
-    edge.last_height = static_cast<std::uint16_t>(way.bottom.y - begin);
+    edge.last_height = static_cast<std::uint8_t>(way.bottom.y - begin - 1);
   } else {
-    edge.height = static_cast<std::uint16_t>(row_end - begin);
-    edge.last_height = static_cast<std::uint16_t>(way.bottom.y - side(edge.row));
+    edge.height = static_cast<std::uint8_t>(row_end - begin - 1);
+    edge.last_height = static_cast<std::uint8_t>(way.bottom.y - side(edge.row) - 1);
     const Place to = stepped(origin, step, static_cast<std::uint32_t>(row_end - way.top.y));
     edge.column = last_column = to.column;
     edge.fraction = upper(to.fraction);

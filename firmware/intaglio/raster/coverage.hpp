@@ -25,7 +25,7 @@
 // most 1/2 + 2^-22 + n*2^-20 from 255 times the exact integral. What two polygons add for a shared edge
 // cancels to the last bit, and what an edge adds doesn't depend on the clip or on other edges.
 //
-// Bit budget: |dx|, |dy| <= 2^29, products below 2^58; areas in a pixel in 2^-30, so 2^20 edges sum to less
+// Bit budget: |dx|, |dy| <= 2^29, products below 2^58; areas in a pixel below 2^31, so 2^20 edges sum to less
 // than 2^51.
 // Textbook: section 2.8.1, Catmull's area for one polygon. Worst known inputs: slivers thousands of pixels
 // long and a fraction of a pixel wide, edges along the sides of pixels.
@@ -61,11 +61,12 @@ concept CoverageSink = requires(S& s, int y, int x_begin, int x_end, int coverag
 
 /// A coverage sink that takes what is covered of a row with less work than by spans of the sink:
 /// `row(y, x).put(column, coverage)` is the same as `span(y, x + column, x + column + 1, coverage)`, and its
-/// `span(begin, end, coverage)` as `span(y, x + begin, x + end, coverage)`.
+/// `span(begin, end, coverage)` as `span(y, x + begin, x + end, coverage)`. `down()` makes it the row below.
 template <class S>
 concept CoverageRowSink = CoverageSink<S> && requires(S& s, int y, int x, int column, int coverage) {
   s.row(y, x).put(column, coverage);
   s.row(y, x).span(column, column, coverage);
+  s.row(y, x).down();
 };
 
 namespace detail {
@@ -81,7 +82,15 @@ class CoverageCell {
     change_ = 0;
     return change;
   }
-  std::int64_t change_;  // of the covered area from the column to the left, in 2^-30 pixel
+  // Or, on its own, an area.
+  [[gnu::always_inline]] void hold(int area) noexcept { change_ = area; }
+  [[nodiscard, gnu::always_inline]] int held() const noexcept { return static_cast<int>(change_); }
+  [[nodiscard, gnu::always_inline]] int taken_held() noexcept {
+    const int area = held();
+    change_ = 0;
+    return area;
+  }
+  std::int64_t change_;  // of the covered area from the column to the left
 };
 
 namespace detail {
@@ -97,10 +106,11 @@ struct CoverageSpan {
 /// The row of a sink that has none of its own.
 template <CoverageSink S>
 struct CoverageSpanRow {
-  S& sink;
+  S* sink;
   int y;
   int x;
-  void span(int begin, int end, int coverage) const { sink.span(y, x + begin, x + end, coverage); }
+  void down() { ++y; }
+  void span(int begin, int end, int coverage) const { sink->span(y, x + begin, x + end, coverage); }
   void put(int column, int coverage) const { span(column, column + 1, coverage); }
 };
 
@@ -109,7 +119,7 @@ template <CoverageSink S>
   if constexpr (CoverageRowSink<S>)
     return sink.row(y, x);
   else
-    return CoverageSpanRow<S>{sink, y, x};
+    return CoverageSpanRow<S>{&sink, y, x};
 }
 
 inline constexpr std::size_t cells_of_edge = sizeof(CoverageEdge) / sizeof(CoverageCell);
@@ -126,7 +136,7 @@ class CoverageScan {
   /// Checks the arguments and finds the pixels to look at.
   [[nodiscard]] Status prepare() noexcept;
   /// How many cells it takes.
-  [[nodiscard]] std::uint32_t count() const noexcept { return cell_count_; }
+  [[nodiscard]] std::uint32_t count() const noexcept;
   /// Uses these cells. Error: workspace.
   [[nodiscard]] Status use(const std::span<CoverageCell>& cells) noexcept;
   /// Hands over what is covered, row by row.
@@ -136,58 +146,65 @@ class CoverageScan {
     const int bottom = area_.bottom();
     const int mask = winding_mask(rule_);
     const CoverageEdge* const end = end_;
-    for (int y = area_.y; y < bottom; ++y) {
+    if (area_.empty()) return;
+    auto pixels = coverage_row(sink, area_.y, area_.x);
+    for (int y = area_.y;; pixels.down()) {
       start_row(y);
       CoverageEdge& first = *head_.follower;
       if (first.plain > y && first.follower->follower == end) {
         y = draw_run(sink, y, first, *first.follower);
         if (y == bottom) return;
+        pixels = coverage_row(sink, y, area_.x);
         start_row(y);
       }
-      const auto pixels = coverage_row(sink, y, area_.x);
       CoverageEdge* before = &head_;
       CoverageEdge* next = head_.follower;
       int winding = 0;
       int begin = 0;
       for (;;) {
+        if (winding == 0) {
+          CoverageEdge& edge = *next;
+          const CoverageEdge::Piece piece = edge.piece();
+          if (is_alone(edge, y)) {
+            winding = edge.turn & mask;
+            begin = piece.right + 1;
+            edge.visit_columns<true>(piece, whole, 0, [&pixels](int column, std::uint32_t area) {
+              put(pixels, column, static_cast<int>(area));
+            });
+            next = edge.follower;
+            place(edge, next, before);
+          }
+        }
         CoverageEdge& edge = *next;
         const CoverageEdge::Piece piece = edge.piece();
-        next = edge.follower;
-        if (edge.plain <= y || next->left <= piece.right) {
-          if (&edge == end) break;
-          const bool alone = is_pair(edge, *next, y, winding);
-          const State state = alone ? draw_pair(pixels, {before, winding, begin})
-                                    : draw_groups(pixels, {before, winding, begin});
-          before = state.before;
-          winding = state.winding;
-          begin = state.begin;
-          next = before->follower;
+        if (winding != 0 && is_alone(edge, y)) {
+          winding = (winding + edge.turn) & mask;
+          if (winding == 0) {
+            if (begin < piece.left) pixels.span(begin, piece.left, full_coverage);
+            edge.visit_columns<true>(piece, whole, 0, [&pixels](int column, std::uint32_t area) {
+              put(pixels, column, whole - static_cast<int>(area));
+            });
+          }
+          next = edge.follower;
+          place(edge, next, before);
           continue;
         }
-        // It crosses the row from side to side, and no other edge is in its columns.
-        place(edge, next, before);
-        if (winding == 0) {
-          winding = edge.turn & mask;
-          begin = piece.right + 1;
-          edge.visit_columns<true>(piece, whole, 0, [&pixels](int column, std::uint32_t area) {
-            put(pixels, column, static_cast<int>(area));
-          });
-          continue;
-        }
-        winding = (winding + edge.turn) & mask;
-        if (winding == 0) {
-          if (begin < piece.left) pixels.span(begin, piece.left, full_coverage);
-          edge.visit_columns<true>(piece, whole, 0, [&pixels](int column, std::uint32_t area) {
-            put(pixels, column, whole - static_cast<int>(area));
-          });
-        }
+        if (&edge == end) break;
+        const State state = is_pair(edge, *edge.follower, y, winding)
+                                ? draw_pair(pixels, {before, winding, begin})
+                                : draw_groups(pixels, {before, winding, begin});
+        before = state.before;
+        winding = state.winding;
+        begin = state.begin;
+        next = before->follower;
       }
       if (winding != 0 && begin < area_.width) pixels.span(begin, area_.width, full_coverage);
+      if (++y == bottom) return;
     }
   }
 
  private:
-  static constexpr int whole = 1 << 30;
+  static constexpr int whole = CoverageEdge::whole;
 
   /// What is known of a row at a place in its list.
   struct State {
@@ -202,16 +219,23 @@ class CoverageScan {
     int end;
   };
 
-  /// The level that is nearest to an area of 0 .. 2^30.
+  static constexpr unsigned level_bits = 23;
+  static_assert(whole == full_coverage << level_bits);
+
+  /// The level that is nearest to an area of 0 .. whole.
   [[nodiscard, gnu::always_inline]] static constexpr int level_of(int area) noexcept {
-    return (area - (area >> 8) + (1 << 21)) >> 22;
+    return static_cast<int>((static_cast<unsigned>(area) + (1U << (level_bits - 1))) >> level_bits);
   }
-  /// What the rule, given by its mask, makes of an area.
-  [[nodiscard]] static constexpr int folded(std::int64_t area, int mask) noexcept {
+  /// The windings that an area is, if it is one of whole pixels.
+  [[nodiscard]] static constexpr int windings(std::int64_t area) noexcept {
+    return static_cast<int>(area >> level_bits) / full_coverage;
+  }
+  /// What the rule, given by its mask, makes of an area. By even-odd, the area is brought to -whole .. whole:
+  /// as what an edge adds to a pixel is no more than that, the steps are no more than edges.
+  [[nodiscard]] static constexpr int folded(std::int64_t& area, int mask) noexcept {
     if (mask == 1) {
-      // Modulo two pixels.
-      const int rest = static_cast<int>(static_cast<std::uint32_t>(area) << 1U) >> 1;
-      return rest < 0 ? -rest : rest;
+      while (area > whole) area -= 2 * std::int64_t{whole};
+      while (area < -whole) area += 2 * std::int64_t{whole};
     }
     const std::int64_t size = area < 0 ? -area : area;
     return size < whole ? static_cast<int>(size) : whole;
@@ -229,20 +253,20 @@ class CoverageScan {
     const int plain = a.plain < b.plain ? a.plain : b.plain;
     const int bottom = area_.bottom() < waiting_->row ? area_.bottom() : waiting_->row;
     const int stop = plain < bottom ? plain : bottom;
-    const int x = area_.x;
-    for (; y < stop && a.right < b.left; ++y) {
-      const auto pixels = coverage_row(sink, y, x);
+    if (y >= stop || a.right >= b.left) return y;
+    for (auto pixels = coverage_row(sink, y, area_.x);; pixels.down()) {
       const CoverageEdge::Piece enter = a.piece();
-      const CoverageEdge::Piece leave = b.piece();
       a.visit_columns<true>(enter, whole, 0, [&pixels](int column, std::uint32_t area) {
         put(pixels, column, static_cast<int>(area));
       });
+      a.go_on();
+      const CoverageEdge::Piece leave = b.piece();
       b.visit_columns<true>(leave, whole, 0, [&pixels](int column, std::uint32_t area) {
         put(pixels, column, whole - static_cast<int>(area));
       });
-      if (enter.right + 1 < leave.left) pixels.span(enter.right + 1, leave.left, full_coverage);
-      a.go_on();
       b.go_on();
+      if (enter.right + 1 < leave.left) pixels.span(enter.right + 1, leave.left, full_coverage);
+      if (++y == stop || a.right >= b.left) break;
     }
     if (b.left < a.left) {
       head_.follower = &b;
@@ -251,6 +275,10 @@ class CoverageScan {
     }
     return y;
   }
+  /// Whether an edge crosses the row from side to side and shares no column with the next one.
+  [[nodiscard, gnu::always_inline]] static bool is_alone(const CoverageEdge& edge, int y) noexcept {
+    return edge.plain > y && edge.follower->left > edge.right;
+  }
   /// Whether these two edges, of which the second follows the first and shares columns with it, are a gap or
   /// a tip that crosses the row from side to side, with no other edge in its columns.
   [[nodiscard, gnu::always_inline]] bool is_pair(const CoverageEdge& a, const CoverageEdge& b, int y,
@@ -258,22 +286,47 @@ class CoverageScan {
     return a.plain > y && b.plain > y && a.turn != b.turn && winding >= -1 && winding <= 1 &&
            b.follower->left > a.right && b.follower->left > b.right;
   }
-  /// Draws the two edges after `state.before`, which are a pair.
+  /// Draws the two edges after `state.before`, which are a pair. On the way, the cells hold what the first
+  /// piece covers and the second doesn't.
   template <class Row>
-  [[nodiscard, gnu::noinline]] State draw_pair(const Row& pixels, State state) noexcept {
+  [[nodiscard, gnu::noinline]] State draw_pair(const Row& pixels, const State& state) noexcept {
     CoverageCell* const cells = cells_;
-    const bool inside = state.winding != 0;
-    // A pair that opens the other way than what is around it adds to it by even-odd only.
-    const bool both_ways = !inside || rule_ == FillRule::even_odd;
-    const int sign = inside ? -state.winding * state.before->follower->turn : 1;
-    const Group pair = take_pair(state.before);
-    if (inside && state.begin < pair.begin) pixels.span(state.begin, pair.begin, full_coverage);
-    for (int column = pair.begin; column < pair.end; ++column) {
-      int between = static_cast<int>(cells[column].taken()) * sign;
-      if (between < 0) between = both_ways ? -between : 0;
-      put(pixels, column, inside ? whole - between : between);
+    CoverageEdge* before = state.before;
+    CoverageEdge& a = *before->follower;
+    CoverageEdge& b = *a.follower;
+    const CoverageEdge::Piece first = a.piece();
+    const CoverageEdge::Piece second = b.piece();
+    const int end = (first.right < second.right ? second.right : first.right) + 1;
+    a.visit_columns<true>(first, whole, 0, [cells](int column, std::uint32_t area) {
+      cells[column].hold(static_cast<int>(area));
+    });
+    for (int column = first.right + 1; column < end; ++column) cells[column].hold(whole);
+    b.visit_columns<true>(second, whole, 0, [cells](int column, std::uint32_t area) {
+      cells[column].hold(cells[column].held() - static_cast<int>(area));
+    });
+    for (int column = second.right + 1; column < end; ++column)
+      cells[column].hold(cells[column].held() - whole);
+    if (state.winding == 0) {
+      for (int column = first.left; column < end; ++column) {
+        const int between = cells[column].taken_held();
+        put(pixels, column, between < 0 ? -between : between);
+      }
+    } else {
+      // A pair that opens the other way than what is around it adds to it by even-odd only.
+      const bool both_ways = rule_ == FillRule::even_odd;
+      const bool opposed = state.winding != a.turn;
+      if (state.begin < first.left) pixels.span(state.begin, first.left, full_coverage);
+      for (int column = first.left; column < end; ++column) {
+        const int between = cells[column].taken_held();
+        const int size = between < 0 ? -between : between;
+        put(pixels, column, (between > 0) == opposed || both_ways ? whole - size : whole);
+      }
     }
-    return {pair.before, state.winding, pair.end};
+    CoverageEdge* const follower = b.follower;
+    const int winding = state.winding;
+    place(a, &b, before);
+    place(b, follower, before);
+    return {before, winding, end};
   }
   /// Draws any edges: those of the group after `state.before`, and further ones as long as what is covered
   /// right of them isn't a number of whole pixels.
@@ -293,7 +346,7 @@ class CoverageScan {
       }
       state.begin = group.end;
       area += cells[group.end].taken();
-      const int winding = static_cast<int>(area >> 30);
+      const int winding = windings(area);
       state.winding = winding & mask;
       if (area == std::int64_t{winding} * whole) return state;
       covered = folded(area, mask);
@@ -325,7 +378,6 @@ class CoverageScan {
 
   template <class Visit>
   void visit_edges(Visit visit) const noexcept;
-  [[nodiscard]] Group take_pair(CoverageEdge* before) noexcept;
   [[nodiscard]] int plain_until(const CoverageEdge& edge) const noexcept;
   [[nodiscard]] Group add_group(CoverageEdge* before) noexcept;
   [[nodiscard]] CoverageEdge* merged(CoverageEdge* a, CoverageEdge* b) noexcept;
@@ -337,9 +389,7 @@ class CoverageScan {
 
   std::span<const linear::SubPoint> vertices_;
   std::span<const int> contour_lengths_;
-  CoverageCell* cells_ = nullptr;  // a column each, and one more
-  std::uint32_t cell_count_ = 0;
-  int edge_count_ = 0;
+  CoverageCell* cells_ = nullptr;    // a column each, and one more
   CoverageEdge* end_ = nullptr;      // the entry at the end of all lists
   CoverageEdge head_{0, 0, 0};       // its followers are those on the row, by their leftmost column
   CoverageEdge* waiting_ = nullptr;  // the list of those that wait, by their first row
@@ -364,17 +414,17 @@ class CoverageScan {
                                                        const std::span<const int>& contour_lengths,
                                                        const linear::Rect& clip) noexcept;
 
-/// Hands the coverage of the polygon over, in spans of one level that end where edges are, each pixel that
-/// has a level of 1 or more once. The polygon is given as to `fill_polygon`: contours are runs of `vertices`
-/// (in 1/256 pixel, |c| <= 2^28, at most 2^20 of them), as long as `contour_lengths` says; those of fewer
-/// than three vertices are empty. `workspace` needs `coverage_workspace` cells (`coverage_cells` are always
-/// enough). It need not be initialised, and holds nothing of value afterwards. The level is at most 1/2 +
-/// 2^-22 + n*2^-20 from 255 times the exact area, with n edges through the pixel; see the head of this file
-/// for polygons that cross themselves. Errors: vertices (one is outside the domain; or too_large, with the
-/// limit), contours (mismatched), workspace (too small: `needed()` cells), rule; nothing is handed over then.
-/// Cost: up to six divisions an edge; then about 50 instructions for each row that an edge crosses and 20
-/// for each pixel that it touches, twice that where it meets one other, three times where it isn't alone
-/// otherwise; and what the sink takes.
+/// Hands the coverage of the polygon over, row by row downwards, in spans of one level that end where edges
+/// are, each pixel that has a level of 1 or more once, on a row in no particular order. The polygon is given
+/// as to `fill_polygon`: contours are runs of `vertices` (in 1/256 pixel, |c| <= 2^28, at most 2^20 of them),
+/// as long as `contour_lengths` says; those of fewer than three vertices are empty. `workspace` needs
+/// `coverage_workspace` cells (`coverage_cells` are always enough). It need not be initialised, and holds
+/// nothing of value afterwards. The level is at most 1/2 + 2^-22 + n*2^-20 from 255 times the exact area,
+/// with n edges through the pixel; see the head of this file for polygons that cross themselves. Errors:
+/// vertices (one is outside the domain; or too_large, with the limit), contours (mismatched), workspace (too
+/// small: `needed()` cells), rule; nothing is handed over then. Cost: up to six divisions an edge; then about
+/// 45 instructions for each row that an edge crosses and 15 for each pixel that it touches, twice that where
+/// it meets one other, three times where it isn't alone otherwise; and what the sink takes.
 template <CoverageSink S>
 Status fill_coverage(S&& sink, FillRule rule, const std::span<const linear::SubPoint>& vertices,
                      const std::span<const int>& contour_lengths, const std::span<CoverageCell>& workspace) {
@@ -440,8 +490,10 @@ class RampCoverage {
   [[nodiscard]] auto row(int y, int x) const noexcept requires(F::bits == 8) {
     struct Row {
       std::uint8_t* pixels;
+      int stride;
       CoverageRamp ramp;
       image::Pattern full;
+      [[gnu::always_inline]] void down() noexcept { pixels += stride; }
       [[gnu::always_inline]] void put(int column, int coverage) const noexcept {
         pixels[column] = static_cast<std::uint8_t>(ramp.index(coverage));
       }
@@ -450,7 +502,7 @@ class RampCoverage {
         image::fill_bytes(pixels + begin, end - begin, coverage == full_coverage ? full : pattern);
       }
     };
-    return Row{surface_.byte_at(x, y), ramp_, full_};
+    return Row{surface_.byte_at(x, y), surface_.stride(), ramp_, full_};
   }
 
  private:

@@ -10,11 +10,15 @@
 // length; where it crosses the sides of columns inside a row follows from there by its slope. An edge is a
 // row ahead: it knows both ends of its piece, and so exactly which columns that touches.
 //
-// Error bound: a place on the side of a row is less than 2^-32 pixel off, a slope less than 2^-31 of itself,
-// heights are exact; products are rounded down to 2^-30. So an area is less than 2^-28 pixel off. As an edge
-// that isn't upright moves by 2^-37 column or more on 1/256 row, rounding puts no place beyond its end.
-// Bit budget: columns below 2^21, their fractions in two words; heights and areas in 2^-30, those that are
-// stepped through columns in 2^-62, which a row of 2^62 and its rounding don't leave. A part of a column that
+// Areas count in 2^-23 of a level of 1/255 pixel, so that rounding one to a level is a shift; rises, heights
+// that are multiplied by a width, in twice that.
+//
+// Error bound: a place on the side of a row is less than 2^-32 pixel off, a slope less than 2^-29 of itself,
+// heights are exact; rises are rounded down to 2^-29. So an area is less than 2^-28 pixel off. As an edge
+// that isn't upright moves by 2^-37 column or more on 1/256 row, rounding puts no place beyond its end. All
+// that makes a rise is rounded down, so no part of one is more than the whole.
+// Bit budget: columns below 2^21, their fractions in two words; areas below 2^31, those that are stepped
+// through columns in 2^-32 of their unit, which a row and its rounding don't leave. A part of a column that
 // an edge reaches within a row is below 2^(32 - up) in 2^-32 column. On its last row an edge looks less than
 // 2^29 columns too far ahead.
 // Textbook: section 2.8.1. Worst known inputs: edges along the sides of pixels; a slope of a power of two.
@@ -35,6 +39,8 @@ struct alignas(8) CoverageEdge {
     std::uint64_t fraction;  // in 2^-64 column
   };
 
+  // Where it crosses the upper side of the row, or begins, in 2^-32 column.
+  std::uint32_t top_fraction = 0;
   // Where it crosses the lower side of the row, and how far that goes with each row. Fractions are in 2^-32
   // column, fine ones in 2^-32 of that.
   std::uint32_t fraction = 0;
@@ -43,25 +49,25 @@ struct alignas(8) CoverageEdge {
   std::uint32_t step_fine = 0;
   std::uint32_t step_fraction = 0;
   int step_columns = 0;
+  std::uint32_t slope = 0;           // what it rises in a column, divided by 2^up
+  std::uint32_t slope_fine = 0;      // in 2^-32 of that
+  int row;                           // its last row; while it waits, the first of its visible ones
   int left = 0;                      // no column further left is touched on the row
   int right = 0;                     // nor any further right
-  std::uint32_t top_fraction = 0;    // where it crosses the upper side of the row, or begins, in 2^-32 column
-  int row;                           // its last row; while it waits, the first of its visible ones
-  std::uint32_t slope = 0;           // rows a column, times 2^(30 + down - up), with the highest bit set
   int plain = INT32_MIN;             // before this row it crosses all from side to side, in visible columns
   CoverageEdge* follower = nullptr;  // in its list
   std::int32_t x_end;  // its lower end, in 1/256 pixel from the left side; while it waits, its second vertex
-  std::uint16_t height = 0;   // of its piece on the row, if that isn't its last one, in 1/256 row
-  std::uint16_t last_height;  // of its piece on its last row
+  std::uint8_t height = 0;  // of its piece on the row, if that isn't its last one, in 1/256 row, less one
+  std::uint8_t last_height = 0;  // of its piece on its last row, less one
   std::uint8_t up = 0;
-  std::uint8_t down = 1;
   std::int8_t turn = 1;  // 1 if the contour runs down, else -1
 
   static constexpr unsigned x_end_bits = 8;
+  /// The area of a pixel.
+  static constexpr int whole = 255 << 23;
 
   /// One that waits.
-  CoverageEdge(int first_row, int from, std::int32_t to) noexcept
-      : column(from), row(first_row), x_end(to), last_height(0) {}
+  CoverageEdge(int first_row, int from, std::int32_t to) noexcept : column(from), row(first_row), x_end(to) {}
 
   /// A piece of it: the first and the last column that it touches, and where it begins and ends in them, in
   /// 2^-32 column.
@@ -96,14 +102,14 @@ struct alignas(8) CoverageEdge {
     left = from + leftwards;
     return left;
   }
-  /// How high it is over a part of a column, in 2^-30 row.
+  /// How much it rises in a part of a column.
   [[nodiscard, gnu::always_inline]] std::uint32_t rise(std::uint32_t part) const noexcept {
-    return number::multiply_high(part << up, slope) >> down;
+    return number::multiply_high(part << up, slope);
   }
 
-  /// Calls take(column, area) from left to right for the columns 0 .. width-1 that a piece of it, so high,
-  /// touches (or, if all are known to be such, for all of them): the area right of it. What a piece gives in
-  /// a column doesn't depend on the width.
+  /// Calls take(column, area) for the columns 0 .. width-1 that a piece of it, so high, touches, from left to
+  /// right; or, if all are known to be such, for all of them, in any order. It is the area right of the
+  /// piece; in a whole column `high`. What a piece gives in a column doesn't depend on the width.
   template <bool all_visible, class Take>
   [[gnu::always_inline]] void visit_columns(const Piece& piece, std::uint32_t high, int width,
                                             const Take& take) const noexcept {
@@ -118,28 +124,33 @@ struct alignas(8) CoverageEdge {
         take(first, high - number::multiply_high(high, (piece.top >> 1U) + (piece.bottom >> 1U)));
       return;
     }
-    const bool leftwards = step_columns < 0;
-    const std::uint32_t from = leftwards ? piece.bottom : piece.top;
-    const std::uint32_t to = leftwards ? piece.top : piece.bottom;
-    // A triangle in the first column, and what a triangle leaves in the last.
-    const std::uint32_t done = rise(~from);
-    const std::uint32_t rest = high - number::multiply_high(rise(to), to) / 2;
-    if (visible(first)) take(first, number::multiply_high(done, ~from) / 2);
-    if (last - first > 1) {
-      const std::uint64_t each = std::uint64_t{slope >> down} << 32U | slope << (32U - down);  // in 2^-62 row
-      std::uint64_t area = (std::uint64_t{done} << 32U) + each / 2;
-      int x = first + 1;
-      int stop = last;
-      if (!all_visible) {
-        if (x < 0) {
-          area += static_cast<unsigned>(-x) * each;
-          x = 0;
-        }
-        if (stop > width) stop = width;
-      }
-      for (; x < stop; ++x, area += each) take(x, static_cast<std::uint32_t>(area >> 32U));
+    // From left to right.
+    const std::uint32_t swap = (piece.top ^ piece.bottom) & static_cast<std::uint32_t>(step_columns >> 31);
+    const std::uint32_t part = ~(piece.top ^ swap);
+    const std::uint32_t to = piece.bottom ^ swap;
+    const std::uint32_t done = rise(part);
+    if (visible(first)) take(first, number::multiply_high(done, part));
+    const auto left_of = [high, to](std::uint32_t rest) { return high - number::multiply_high(rest, to); };
+    if (last - first == 1) {
+      if (visible(last)) take(last, left_of(high / 2 - done));
+      return;
     }
-    if (visible(last)) take(last, rest);
+    const std::uint32_t at_last = left_of(rise(to));
+    if (all_visible) take(last, at_last);
+    const std::uint64_t half = std::uint64_t{slope} << 32U | slope_fine;
+    const std::uint64_t each = 2 * half;
+    std::uint64_t area = (std::uint64_t{done} << 33U) + half;
+    int x = first + 1;
+    int stop = last;
+    if (!all_visible) {
+      if (x < 0) {
+        area += static_cast<unsigned>(-x) * each;
+        x = 0;
+      }
+      if (stop > width) stop = width;
+    }
+    for (; x < stop; ++x, area += each) take(x, static_cast<std::uint32_t>(area >> 32U));
+    if (!all_visible && visible(last)) take(last, at_last);
   }
 };
 

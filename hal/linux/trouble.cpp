@@ -16,7 +16,7 @@ std::string access_advice(const std::string& path) {
   if (stat(path.c_str(), &about) != 0) return "run as a user who may open it";
   const group* const owner = about.st_gid == 0 ? nullptr : getgrgid(about.st_gid);
   if (owner == nullptr || (about.st_mode & S_IRGRP) == 0 || (about.st_mode & S_IWGRP) == 0)
-    return "no group may use it: install Intaglio's udev rule or one like it, or run as root";
+    return "no group may use it: install hal/linux/70-intaglio.rules in /etc/udev/rules.d, or run as root";
   const std::string name = owner->gr_name;
   return "it belongs to group " + name + ": sudo usermod -aG " + name + " $USER, then log in anew";
 }

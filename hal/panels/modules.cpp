@@ -39,6 +39,13 @@ BusPanel& make_dcs(ModuleStorage& storage, const ModuleParts& parts) noexcept {
   options.refresh_millihertz = refresh_of(parts, module.refresh_millihertz);
   options.contrast = parts.options.contrast.value_or(module.contrast);
   options.workspace = parts.options.workspace;
+  const ModuleGlass& glass = parts.options.glass;
+  if (glass.width != 0) options.width = glass.width;
+  if (glass.height != 0) options.height = glass.height;
+  options.column_offset += glass.column_offset;
+  options.row_offset += glass.row_offset;
+  options.mirrored = module.mirrored != glass.mirrored;
+  options.bgr = module.bgr != glass.bgr;
   return place<Driver>(storage, *parts.port, *parts.clock, parts.vblank, options);
 }
 
@@ -77,6 +84,7 @@ constexpr auto table = std::to_array<Module>({
      .height = 320,
      .spi = true,
      .te = true,
+     .any_glass = true,
      .make = make_dcs<St7789, st7789_240x320>},
     {.name = "st7789-240x240",
      .description = "the same with a square glass",
@@ -84,6 +92,7 @@ constexpr auto table = std::to_array<Module>({
      .height = 240,
      .spi = true,
      .te = true,
+     .any_glass = true,
      .make = make_dcs<St7789, st7789_240x240>},
     {.name = "st7789-135x240",
      .description = "the same with a narrow glass",
@@ -91,6 +100,7 @@ constexpr auto table = std::to_array<Module>({
      .height = 240,
      .spi = true,
      .te = true,
+     .any_glass = true,
      .make = make_dcs<St7789, st7789_135x240>},
     {.name = "ili9341",
      .description = "ILI9341 TFT, 256 of 65536 colours",
@@ -98,6 +108,7 @@ constexpr auto table = std::to_array<Module>({
      .height = 320,
      .spi = true,
      .te = true,
+     .any_glass = true,
      .refresh_millihertz = 61'000,
      .make = make_dcs<Ili9341, ili9341_240x320>},
     {.name = "ili9341-320x240",
@@ -106,6 +117,7 @@ constexpr auto table = std::to_array<Module>({
      .height = 240,
      .spi = true,
      .te = true,
+     .any_glass = true,
      .refresh_millihertz = 61'000,
      .make = make_dcs<Ili9341, ili9341_320x240>},
     {.name = "ssd1322",

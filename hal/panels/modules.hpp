@@ -19,6 +19,20 @@
 
 namespace hal::panels {
 
+/// What differs from the module's own glass.
+struct ModuleGlass {
+  /// 0: the module's own.
+  int width = 0;
+  int height = 0;
+  /// Beyond the module's own offset in the controller's memory, 0..319.
+  int column_offset = 0;
+  int row_offset = 0;
+  /// Columns count the other way, colours lie the other way.
+  bool mirrored = false;
+  bool bgr = false;
+  friend constexpr bool operator==(const ModuleGlass&, const ModuleGlass&) noexcept = default;
+};
+
 /// How a module is used; what it is itself is in the table.
 struct ModuleOptions {
   Rotation rotation = Rotation::by_0;
@@ -31,6 +45,8 @@ struct ModuleOptions {
   int te_line = 0;
   /// TFT modules only: the glass is refreshed from its last row to its first.
   bool scan_up = false;
+  /// TFT modules only.
+  ModuleGlass glass{};
   /// Frames a second times 1000, counted by the clock where there is no TE line; 0: the module's own.
   std::uint32_t refresh_millihertz = 0;
   /// As in `DcsOptions`.
@@ -71,6 +87,8 @@ struct Module {
   I2cFraming i2c_framing = I2cFraming::stream;
   /// It has a TE output.
   bool te = false;
+  /// Its glass can be another than its own: a TFT.
+  bool any_glass = false;
   /// Its own frames a second times 1000.
   std::uint32_t refresh_millihertz = 60'000;
   /// Makes the driver in `storage`, whose last driver ends.

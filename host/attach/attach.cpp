@@ -41,6 +41,23 @@ bool wired(const AttachOptions& options) {
   return !options.spi.empty() || !options.i2c.empty() || !options.bitbang.empty();
 }
 
+/// Options that a panel without wires has no use for are said, not passed over.
+void refuse_wire_options(const AttachOptions& o) {
+  const std::pair<bool, const char*> all[] = {{!o.data_command.empty(), "--dc"},
+                                              {!o.reset.empty(), "--reset"},
+                                              {!o.te.empty(), "--te"},
+                                              {!o.size.empty(), "--size"},
+                                              {!o.offset.empty(), "--offset"},
+                                              {o.rotate != 0, "--rotate"},
+                                              {o.invert, "--invert"},
+                                              {o.dither, "--dither"},
+                                              {o.bgr, "--bgr"},
+                                              {o.mirror, "--mirror"},
+                                              {o.contrast.has_value(), "--contrast"}};
+  for (const auto& [given, option] : all)
+    if (given) throw Failure("--panel " + o.panel + " knows no " + option);
+}
+
 }  // namespace
 
 std::string device_of(const AttachOptions& options) {
@@ -80,13 +97,7 @@ std::unique_ptr<AttachedPanel> attach(const AttachOptions& options) {
   const std::string_view scheme = scheme_of(options.panel);
   if (!scheme.empty() && wired(options))
     throw Failure("--panel " + options.panel + " has no wires: leave --spi, --i2c and --bitbang out");
-  if (scheme == "kms:" || scheme == "fb:")
-    for (const auto& [given, option] :
-         {std::pair(!options.data_command.empty(), "--dc"), std::pair(!options.reset.empty(), "--reset"),
-          std::pair(!options.te.empty(), "--te"), std::pair(options.rotate != 0, "--rotate"),
-          std::pair(options.invert, "--invert"), std::pair(options.dither, "--dither"),
-          std::pair(options.contrast.has_value(), "--contrast")})
-      if (given) throw Failure("--panel " + options.panel + " knows no " + option);
+  if (!scheme.empty()) refuse_wire_options(options);
   const std::string_view wanted = scheme.empty() ? std::string_view(options.panel) : scheme;
   const std::vector<Backend> all = backends();
   const auto found = std::ranges::find(all, wanted, &Backend::name);

@@ -34,6 +34,10 @@ struct AttachOptions {
   std::string data_command{};      ///< Lines: a number, a name, or CHIP:LINE.
   std::string reset{};
   std::string te{};
+  std::string size{};    ///< "240x240", of a TFT's glass.
+  std::string offset{};  ///< "0,80": where it begins in the controller's memory.
+  bool bgr = false;
+  bool mirror = false;
   int rotate = 0;  ///< 0, 90, 180, 270 degrees.
   bool invert = false;
   bool dither = false;                   ///< The program draws 256 colours, the panel shows its greys.

@@ -92,18 +92,6 @@ HidDevice find(const HidApi& api, const AttachOptions& options, const Name& name
   return *found;
 }
 
-void refuse_wires(const AttachOptions& o) {
-  const std::array<std::pair<bool, const char*>, 7> given{{{!o.data_command.empty(), "--dc"},
-                                                           {!o.reset.empty(), "--reset"},
-                                                           {!o.te.empty(), "--te"},
-                                                           {o.rotate != 0, "--rotate"},
-                                                           {o.invert, "--invert"},
-                                                           {o.dither, "--dither"},
-                                                           {o.contrast.has_value(), "--contrast"}}};
-  for (const auto& [is, option] : given)
-    if (is) throw Failure(o.panel + " knows no " + option);
-}
-
 std::string size_of(const hal::Capabilities& c) {
   return std::to_string(c.width) + 'x' + std::to_string(c.height);
 }
@@ -245,7 +233,6 @@ std::unique_ptr<AttachedPanel> attach_bridged(const AttachOptions& options, cons
 }  // namespace
 
 std::unique_ptr<AttachedPanel> attach_hid(const AttachOptions& options) {
-  refuse_wires(options);
   const Name name = name_of(options);
   constexpr std::string_view bridge = "mcp2221/";
   if (name.kind.starts_with(bridge))

@@ -32,6 +32,19 @@ std::vector<std::string> split(const std::string& text, char at) {
   return parts;
 }
 
+/// "A?B" as two numbers of at most four digits, `between` being the sign between them.
+std::optional<std::array<int, 2>> two_numbers(const std::string& text, char between) {
+  const std::vector<std::string> parts = split(text, between);
+  std::array<int, 2> numbers{};
+  if (parts.size() != numbers.size()) return std::nullopt;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const bool digits = parts[i].find_first_not_of("0123456789") == std::string::npos;
+    if (parts[i].empty() || parts[i].size() > 4 || !digits) return std::nullopt;
+    numbers.at(i) = std::stoi(parts[i]);
+  }
+  return numbers;
+}
+
 /// Everything between this machine and a controller.
 class Wires {
  public:
@@ -119,6 +132,28 @@ hal::panels::Rotation rotation_of(const AttachOptions& options) {
   return static_cast<hal::panels::Rotation>(options.rotate / 90);
 }
 
+hal::panels::ModuleGlass glass_of(const AttachOptions& options, const Module& module) {
+  hal::panels::ModuleGlass glass;
+  if (!options.size.empty()) {
+    const auto size = two_numbers(options.size, 'x');
+    if (!size || (*size)[0] == 0 || (*size)[1] == 0)
+      throw Failure("--size is as 240x240, not '" + options.size + "'");
+    glass.width = (*size)[0];
+    glass.height = (*size)[1];
+  }
+  if (!options.offset.empty()) {
+    const auto offset = two_numbers(options.offset, ',');
+    if (!offset) throw Failure("--offset is as 0,80, not '" + options.offset + "'");
+    glass.column_offset = (*offset)[0];
+    glass.row_offset = (*offset)[1];
+  }
+  glass.bgr = options.bgr;
+  glass.mirrored = options.mirror;
+  if (glass != hal::panels::ModuleGlass{} && !module.any_glass)
+    throw Failure(options.panel + " knows no --size, --offset, --bgr or --mirror");
+  return glass;
+}
+
 std::string why_not(hal::Status status) {
   if (status.error() == hal::Error::unsupported || status.error() == hal::Error::invalid)
     return "it can't be set up as the options say";
@@ -177,6 +212,7 @@ class WiredPanel final : public AttachedPanel {
     const std::uint32_t asked = options_.refresh_millihertz;
     parts.vblank = wires_.te(asked == 0 ? module.refresh_millihertz : asked);
     parts.options.refresh_millihertz = asked;
+    parts.options.glass = glass_of(options_, module);
     parts.options.rotation = rotation_of(options_);
     parts.options.negative = options_.invert;
     if (options_.contrast) parts.options.contrast = static_cast<std::uint8_t>(*options_.contrast);

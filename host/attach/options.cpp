@@ -28,6 +28,12 @@ void add_attach_options(CLI::App& app, AttachOptions& options) {
   app.add_option("--reset", options.reset, "Line that resets the panel, low")->group(group);
   app.add_option("--te", options.te, "Line on which the panel tells its VBLANK (tearing effect)")
       ->group(group);
+  app.add_option("--size", options.size, "Size of a TFT's glass, as 240x240 (default: as its name says)")
+      ->group(group);
+  app.add_option("--offset", options.offset, "Where that glass begins in the controller's memory, as 0,80")
+      ->group(group);
+  app.add_flag("--bgr", options.bgr, "A TFT that shows red as blue")->group(group);
+  app.add_flag("--mirror", options.mirror, "A TFT that shows left on the right")->group(group);
   app.add_option("--rotate", options.rotate, "Turn the picture clockwise, degrees")
       ->check(CLI::IsMember({0, 90, 180, 270}))
       ->group(group);

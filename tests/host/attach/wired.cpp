@@ -136,6 +136,32 @@ TEST_F(Wired, AnSt7789IsTurnedInvertedAndToldToPulseItsTeLine) {
   EXPECT_FALSE(model.on());
 }
 
+TEST_F(Wired, ATftTakesAnotherGlass) {
+  hal::linux_io::MonotonicClock clock;
+  hal::mock::StrictSt7789 model(clock, {.width = 20,
+                                        .height = 12,
+                                        .column_offset = 7,
+                                        .row_offset = 30,
+                                        .mirrored = true,
+                                        .bgr = true,
+                                        .inverted = true});
+  put_at_the_ends(model);
+  AttachOptions options = by_hand("st7789");
+  options.size = "20x12";
+  options.offset = "7,30";
+  options.mirror = true;
+  options.bgr = true;
+  const auto attached = host::attach(options);
+  hal::Panel& panel = attached->panel();
+  ASSERT_TRUE(panel.load_palette(std::vector<std::uint8_t>{0, 0, 0, 255, 0, 0}).ok());
+  std::vector<std::uint8_t> pixels(20 * 12);
+  pixels[3 * 20 + 5] = 1;
+  ASSERT_TRUE(panel.write({0, 0, 20, 12}, pixels, 20).ok());
+  const hal::mock::Pattern glass = model.displayed();
+  for (int y = 0; y < 12; ++y)
+    for (int x = 0; x < 20; ++x) ASSERT_EQ(glass.at(x, y), x == 5 && y == 3 ? 0xF800 : 0) << x << ' ' << y;
+}
+
 TEST_F(Wired, APanelOfTwoColoursDithersAPictureOf256) {
   hal::mock::StrictSsd1306 model(128, 64);
   put_at_the_ends(model);
@@ -215,6 +241,19 @@ TEST_F(Wired, OptionsThatMakeNoSenseAreSaid) {
   options = by_hand("st7789");
   options.dither = true;
   EXPECT_THAT(refusal(options), HasSubstr("--dither"));
+  options = by_hand("ssd1306");
+  options.size = "128x32";
+  EXPECT_THAT(refusal(options), HasSubstr("ssd1306 knows no --size"));
+  options = by_hand("st7789");
+  for (const char* const size : {"64", "0x64", "64x", "64x64x8", "-1x5", "99999x1"}) {
+    options.size = size;
+    EXPECT_THAT(refusal(options), HasSubstr("--size is as 240x240")) << size;
+  }
+  options.size = "64x64";
+  options.offset = "5";
+  EXPECT_THAT(refusal(options), HasSubstr("--offset is as 0,80"));
+  options.offset = "200,0";
+  EXPECT_THAT(refusal(options), HasSubstr("can't be set up as the options say")) << "beyond the memory";
   EXPECT_THAT(refusal({.panel = "kms:/dev/dri/card0", .rotate = 90}), HasSubstr("knows no --rotate"));
   EXPECT_THAT(refusal({.panel = "fb:"}), HasSubstr("names no device"));
   for (const char* const size : {"320x", "x240", "320x240x8", "0x5", "320", ""})

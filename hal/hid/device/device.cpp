@@ -86,12 +86,15 @@ std::uint32_t Device::checksum() const noexcept {
 
 Rect Device::aligned(const Rect& area) const noexcept {
   const Capabilities& c = info_.capabilities;
-  const int x = area.x - area.x % c.x_alignment;
+  // Also at whole bytes of the rows.
+  int x_step = c.x_alignment;
+  while (x_step * c.bits_per_pixel % 8 != 0) x_step += c.x_alignment;
+  const int x = area.x - area.x % x_step;
   const int y = area.y - area.y % c.y_alignment;
   const auto up = [](int end, int step, int limit) {
     return std::min((end + step - 1) / step * step, limit);
   };
-  return {x, y, up(area.x + area.width, c.x_alignment, c.width) - x,
+  return {x, y, up(area.x + area.width, x_step, c.width) - x,
           up(area.y + area.height, c.y_alignment, c.height) - y};
 }
 

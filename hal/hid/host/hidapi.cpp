@@ -61,7 +61,10 @@ std::string HidDevice::title() const {
 
 struct HidApi::Functions {
   void* library = nullptr;
+  /// Devices that are open.
+  int open = 0;
   decltype(&hid_init) init = nullptr;
+  decltype(&hid_exit) exit = nullptr;
   decltype(&hid_enumerate) enumerate = nullptr;
   decltype(&hid_free_enumeration) free_enumeration = nullptr;
   decltype(&hid_open_path) open_path = nullptr;
@@ -85,6 +88,7 @@ HidApi::HidApi(Way way) : way_(way), functions_(std::make_unique<Functions>()) {
     if (function == nullptr) throw HidError(std::string(file) + " has no " + symbol);
   };
   find(f.init, "hid_init");
+  find(f.exit, "hid_exit");
   find(f.enumerate, "hid_enumerate");
   find(f.free_enumeration, "hid_free_enumeration");
   find(f.open_path, "hid_open_path");
@@ -108,6 +112,12 @@ const HidApi& HidApi::over(Way way) {
 
 std::string_view HidApi::name() const { return way_ == Way::libusb ? "libusb" : "hidraw"; }
 
+void HidApi::look_again() const {
+  if (functions_->open != 0) return;
+  functions_->exit();
+  functions_->init();
+}
+
 std::vector<HidDevice> HidApi::devices(std::uint16_t vendor, std::uint16_t product) const {
   std::vector<HidDevice> all;
   // All are asked for: the filter of some versions passes over devices whose parents lack an attribute.
@@ -122,12 +132,16 @@ std::vector<HidDevice> HidApi::devices(std::uint16_t vendor, std::uint16_t produ
 }
 
 struct HidApiPort::Handle {
-  Handle(const HidApi::Functions& functions, const std::string& path)
-      : f(&functions), device(functions.open_path(path.c_str())) {}
+  Handle(HidApi::Functions& functions, const std::string& path)
+      : f(&functions), device(functions.open_path(path.c_str())) {
+    if (device != nullptr) ++f->open;
+  }
   Handle(const Handle&) = delete;
   Handle& operator=(const Handle&) = delete;
   ~Handle() {
-    if (device != nullptr) f->close(device);
+    if (device == nullptr) return;
+    f->close(device);
+    --f->open;
   }
   [[nodiscard]] bool alive(std::vector<std::uint8_t>& kept) const {
     std::array<std::uint8_t, longest_report> report{};
@@ -136,7 +150,7 @@ struct HidApiPort::Handle {
     return n >= 0;
   }
 
-  const HidApi::Functions* f;
+  HidApi::Functions* f;
   hid_device* device;
 };
 
@@ -219,6 +233,7 @@ Received HidApiPort::do_receive(std::span<std::uint8_t> report, Nanoseconds pati
 Status HidApiPort::do_reopen() noexcept {
   handle_.reset();
   kept_.clear();
+  api_->look_again();
   for (const HidDevice& found : api_->devices(device_.vendor, device_.product_number)) {
     if (found.serial != device_.serial) continue;
     // Of a device with several interfaces only one is ours; libusb tells of no usages.

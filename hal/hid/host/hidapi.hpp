@@ -50,9 +50,12 @@ class HidApi {
   /// All devices, or those of a vendor (0: any) and product (0: any).
   [[nodiscard]] std::vector<HidDevice> devices(std::uint16_t vendor = 0, std::uint16_t product = 0) const;
   [[nodiscard]] std::string_view name() const;
+  /// Forgets what it knows of devices, unless one is open: libusb learns of new ones from a service that not
+  /// every system runs.
+  void look_again() const;
 
   struct Functions;
-  [[nodiscard]] const Functions& functions() const { return *functions_; }
+  [[nodiscard]] Functions& functions() const { return *functions_; }
 
   HidApi(const HidApi&) = delete;
   HidApi& operator=(const HidApi&) = delete;

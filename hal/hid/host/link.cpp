@@ -164,6 +164,7 @@ void Link::hear(std::span<const std::uint8_t> bytes) {
 }
 
 void Link::start_waiting() {
+  attempts_ = 0;
   progress_at_ = clock_->now();
   pause_ = options_.retry;
   resend_at_ = progress_at_ + pause_;
@@ -190,6 +191,7 @@ Status Link::drain() {
 
 Status Link::resend() {
   gap_ = false;
+  ++attempts_;
   resent_from_ = oldest_;
   resent_at_ = clock_->now();
   resend_at_ = resent_at_ + pause_;
@@ -205,13 +207,14 @@ Status Link::make_progress() {
   if (gap_)
     if (const Status s = resend(); !s.ok()) return s;
   const Nanoseconds now = clock_->now();
-  const Nanoseconds until = std::min(resend_at_, progress_at_ + options_.patience);
-  const Status s = listen(until > now ? until - now : 0);
+  const Status s = listen(resend_at_ > now ? resend_at_ - now : 0);
   if (!s.ok() && s.error() != Error::timeout) return s;
   if (lost_) return {Error::disconnected, Part::panel};
   if (oldest_ != before) return {};
   const Nanoseconds later = clock_->now();
-  if (later >= progress_at_ + options_.patience) return silent;
+  // A clock that leaps, or a machine that slept, is no reason to give up: it must have been tried.
+  constexpr int least_attempts = 3;
+  if (later >= progress_at_ + options_.patience && attempts_ >= least_attempts) return silent;
   if (gap_ || later < resend_at_) return {};
   pause_ = std::min(pause_ * 2U, options_.retry * 8U);
   return resend();

@@ -111,6 +111,7 @@ class Link {
   Nanoseconds progress_at_ = 0;
   Nanoseconds resend_at_ = 0;
   Nanoseconds pause_ = 0;
+  int attempts_ = 0;
   Nanoseconds resent_at_ = 0;
   std::uint16_t resent_from_ = 0;
 

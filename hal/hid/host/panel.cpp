@@ -217,10 +217,13 @@ Status HidPanel::do_wait_for_vblank() noexcept {
     if (const Status s = recover(); !s.ok()) return s;
   std::uint32_t before = link_->state().vblanks;
   Nanoseconds until = link_->now() + vblank_patience();
-  while (link_->state().vblanks == before || pending()) {
+  // A clock that leaps is no reason to give up: the device gets a few chances more to say something.
+  constexpr Nanoseconds chance = 20'000'000;
+  constexpr int chances = 8;
+  for (int late = 0; link_->state().vblanks == before || pending();) {
     const Nanoseconds now = link_->now();
-    if (now >= until) return {Error::timeout, Part::panel};
-    const Status s = note(link_->listen(until - now));
+    if (now >= until && ++late > chances) return {Error::timeout, Part::panel};
+    const Status s = note(link_->listen(now < until ? until - now : chance));
     if (s.error() == Error::disconnected || link_->lost()) {
       note({Error::disconnected, Part::panel}).ignore();
       if (const Status r = recover(); !r.ok()) return r;

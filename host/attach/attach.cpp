@@ -41,19 +41,21 @@ bool wired(const AttachOptions& options) {
   return !options.spi.empty() || !options.i2c.empty() || !options.bitbang.empty();
 }
 
-/// Options that a panel without wires has no use for are said, not passed over.
+/// Options that a panel without wires has no use for are said, not passed over. On USB there are some that
+/// turn and dim: that backend knows which.
 void refuse_wire_options(const AttachOptions& o) {
+  const bool no_settings = scheme_of(o.panel) != "hid:";
   const std::pair<bool, const char*> all[] = {{!o.data_command.empty(), "--dc"},
                                               {!o.reset.empty(), "--reset"},
                                               {!o.te.empty(), "--te"},
                                               {!o.size.empty(), "--size"},
                                               {!o.offset.empty(), "--offset"},
-                                              {o.rotate != 0, "--rotate"},
-                                              {o.invert, "--invert"},
-                                              {o.dither, "--dither"},
+                                              {no_settings && o.rotate != 0, "--rotate"},
+                                              {no_settings && o.invert, "--invert"},
+                                              {no_settings && o.dither, "--dither"},
                                               {o.bgr, "--bgr"},
                                               {o.mirror, "--mirror"},
-                                              {o.contrast.has_value(), "--contrast"}};
+                                              {no_settings && o.contrast.has_value(), "--contrast"}};
   for (const auto& [given, option] : all)
     if (given) throw Failure("--panel " + o.panel + " knows no " + option);
 }

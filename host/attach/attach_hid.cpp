@@ -4,7 +4,7 @@
 //
 //     hid:intaglio[:SERIAL]          a display of the project's report protocol
 //     hid:g13, hid:g15v2, hid:g510   the display of a keyboard
-//     hid:mcp2221/CONTROLLER@3c      a display on I2C behind an MCP2221A; ssd1306, ssd1306-128x32, sh1106
+//     hid:mcp2221/CONTROLLER@3c      a display on I2C behind an MCP2221A, ssd1306 for one
 //
 // with `libusb/` or `hidraw/` (the default) in front: hid:libusb/g13.
 #include <hal/hid/host/gaming_lcd.hpp>
@@ -12,7 +12,8 @@
 #include <hal/hid/host/mcp2221.hpp>
 #include <hal/hid/host/panel.hpp>
 #include <hal/linux/monotonic_clock.hpp>
-#include <hal/panels/ssd1306.hpp>
+#include <hal/panels/expanded_panel.hpp>
+#include <hal/panels/modules.hpp>
 #include <host/attach/backend.hpp>
 #include <host/failure.hpp>
 
@@ -92,6 +93,15 @@ HidDevice find(const HidApi& api, const AttachOptions& options, const Name& name
   return *found;
 }
 
+void refuse(const AttachOptions& o, std::initializer_list<std::pair<bool, const char*>> given) {
+  for (const auto& [is, option] : given)
+    if (is) throw Failure("--panel " + o.panel + " knows no " + option);
+}
+
+void refuse_settings(const AttachOptions& o) {
+  refuse(o, {{o.rotate != 0, "--rotate"}, {o.invert, "--invert"}, {o.contrast.has_value(), "--contrast"}});
+}
+
 std::string size_of(const hal::Capabilities& c) {
   return std::to_string(c.width) + 'x' + std::to_string(c.height);
 }
@@ -108,10 +118,20 @@ class HidAttached : public AttachedPanel {
   bool keep() override { return kept_ = true; }
 
  protected:
+  /// The panel as the program sees it: with --dither it draws 256 colours.
+  hal::Panel& seen(hal::Panel& panel, const AttachOptions& options) {
+    if (!options.dither) return panel;
+    return expanded_.emplace(panel, expansion_);
+  }
+
   hal::linux_io::MonotonicClock clock_;
   const HidApi* api_;
   HidApiPort port_;
   bool kept_ = false;
+
+ private:
+  std::array<std::uint8_t, 1024> expansion_{};
+  std::optional<hal::panels::ExpandedPanel> expanded_;
 };
 
 class OwnDisplay final : public HidAttached {
@@ -165,42 +185,55 @@ class KeyboardDisplay final : public HidAttached {
                   const AttachOptions& options)
       : HidAttached(api, std::move(device), Numbering::numbered),
         panel_(port_, &clock_, options.refresh_millihertz == 0 ? 30'000U : options.refresh_millihertz),
-        input_(port_, kind) {
+        input_(port_, kind),
+        seen_(seen(panel_, options)) {
     if (!panel_.start().ok()) throw Failure(port_.fault());
   }
   ~KeyboardDisplay() override {
     if (!kept_) panel_.stop().ignore();
   }
-  hal::Panel& panel() override { return panel_; }
+  hal::Panel& panel() override { return seen_; }
   hal::Input* input() override { return &input_; }
 
  private:
   hal::hid::GamingLcd panel_;
   hal::hid::LcdInput input_;
+  hal::Panel& seen_;
 };
 
 class BridgedDisplay final : public HidAttached {
  public:
-  BridgedDisplay(const HidApi& api, HidDevice device, const hal::panels::Ssd1306Module& module,
-                 std::uint8_t address)
+  BridgedDisplay(const HidApi& api, HidDevice device, const hal::panels::Module& module, std::uint8_t address,
+                 const AttachOptions& options)
       : HidAttached(api, std::move(device), Numbering::none),
         bus_(port_, clock_),
-        commands_(bus_, address),
-        panel_(commands_, module, &clock_) {
+        commands_(bus_, address, module.i2c_framing),
+        driver_(module.make(storage_, parts(options))),
+        seen_(seen(driver_, options)) {
     if (!bus_.start().ok()) throw Failure(port_.description() + " doesn't answer");
-    if (!panel_.start().ok())
+    if (!driver_.start().ok())
       throw Failure("nothing answers at that address of the I2C bus behind " + port_.description());
   }
   ~BridgedDisplay() override {
-    constexpr std::array<std::uint8_t, 1> display_off{0xAE};
-    if (!kept_) commands_.command(display_off).ignore();
+    if (!kept_) driver_.stop().ignore();
   }
-  hal::Panel& panel() override { return panel_; }
+  hal::Panel& panel() override { return seen_; }
 
  private:
+  hal::panels::ModuleParts parts(const AttachOptions& options) {
+    hal::panels::ModuleParts parts{&commands_, &clock_, nullptr, {}};
+    parts.options.rotation = static_cast<hal::panels::Rotation>(options.rotate / 90);
+    parts.options.negative = options.invert;
+    if (options.contrast) parts.options.contrast = static_cast<std::uint8_t>(*options.contrast);
+    parts.options.refresh_millihertz = options.refresh_millihertz;
+    return parts;
+  }
+
   hal::hid::Mcp2221I2c bus_;
   hal::panels::I2cPort commands_;
-  hal::panels::Ssd1306 panel_;
+  hal::panels::ModuleStorage storage_;
+  hal::panels::BusPanel& driver_;
+  hal::Panel& seen_;
 };
 
 std::unique_ptr<AttachedPanel> attach_bridged(const AttachOptions& options, const Name& name,
@@ -214,20 +247,18 @@ std::unique_ptr<AttachedPanel> attach_bridged(const AttachOptions& options, cons
     if (error != std::errc{} || end != text.data() + text.size() || address < 0x03 || address > 0x77)
       throw Failure("'" + std::string(text) + "' is no I2C address: two hexadecimal digits, 03 to 77");
   }
-  hal::panels::Ssd1306Module module;
-  if (controller == "ssd1306")
-    module = hal::panels::ssd1306_128x64;
-  else if (controller == "ssd1306-128x32")
-    module = hal::panels::ssd1306_128x32;
-  else if (controller == "sh1106")
-    module = hal::panels::sh1106_128x64;
-  else
+  const hal::panels::Module* const module = hal::panels::find_module(controller);
+  if (module == nullptr || !module->i2c) {
+    std::string names;
+    for (const hal::panels::Module& m : hal::panels::modules())
+      if (m.i2c) names += (names.empty() ? "" : ", ") + std::string(m.name);
     throw Failure("no display '" + std::string(controller) +
-                  "' can be had behind an MCP2221A; ssd1306, ssd1306-128x32 and sh1106 can");
-  if (options.refresh_millihertz != 0) module.refresh_millihertz = options.refresh_millihertz;
+                  "' can be had behind an MCP2221A; these can: " + names);
+  }
+  if (at == std::string_view::npos) address = module->i2c_address;
   const HidApi& api = HidApi::over(name.way);
-  return std::make_unique<BridgedDisplay>(api, find(api, options, name, is_bridge), module,
-                                          static_cast<std::uint8_t>(address));
+  return std::make_unique<BridgedDisplay>(api, find(api, options, name, is_bridge), *module,
+                                          static_cast<std::uint8_t>(address), options);
 }
 
 }  // namespace
@@ -237,7 +268,9 @@ std::unique_ptr<AttachedPanel> attach_hid(const AttachOptions& options) {
   constexpr std::string_view bridge = "mcp2221/";
   if (name.kind.starts_with(bridge))
     return attach_bridged(options, name, std::string_view(name.kind).substr(bridge.size()));
+  refuse_settings(options);
   if (name.kind == "intaglio") {
+    refuse(options, {{options.dither, "--dither"}});
     const HidApi& api = HidApi::over(name.way);
     return std::make_unique<OwnDisplay>(api, find(api, options, name, is_ours));
   }

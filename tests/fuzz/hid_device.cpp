@@ -71,16 +71,18 @@ class Host {
     const auto most = static_cast<std::size_t>(palette_entries_in(device_->report_bytes())) * 3U;
     for (std::size_t i = 0; i < palette.size(); i += most) {
       const std::size_t count = std::min(most, palette.size() - i);
-      Bytes payload{static_cast<std::uint8_t>(i / 3U)};
-      payload.insert(payload.end(), palette.begin() + static_cast<std::ptrdiff_t>(i),
-                     palette.begin() + static_cast<std::ptrdiff_t>(i + count));
+      Bytes payload(1 + count);
+      payload[0] = static_cast<std::uint8_t>(i / 3U);
       give(ReportType::palette, payload);
     }
     const Bytes picture(picture_bytes(c), value);
     const auto area = encode(hal::Rect{0, 0, c.width, c.height});
-    Bytes payload(area.begin(), area.end());
-    payload.insert(payload.end(), {0xFE, static_cast<std::uint8_t>(picture.size() & 0xFFU),
-                                   static_cast<std::uint8_t>(picture.size() >> 8U), value});
+    Bytes payload(area.size() + 4);
+    std::copy(area.begin(), area.end(), payload.begin());
+    payload[area.size()] = 0xFE;
+    payload[area.size() + 1] = static_cast<std::uint8_t>(picture.size() & 0xFFU);
+    payload[area.size() + 2] = static_cast<std::uint8_t>(picture.size() >> 8U);
+    payload[area.size() + 3] = value;
     give(ReportType::rectangle, payload);
     Crc32 crc;
     crc.add(palette);

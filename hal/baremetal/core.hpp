@@ -20,7 +20,11 @@ void synchronise() noexcept;
 struct ThisCore {
   static void mask() noexcept { mask_interrupts(); }
   static void unmask() noexcept { unmask_interrupts(); }
-  static void wait() noexcept { wait_for_interrupt(); }
+  /// `done` is what is waited for; a core of a test may want to know.
+  template <class Done>
+  static void wait(const Done& /*done*/) noexcept {
+    wait_for_interrupt();
+  }
 };
 
 /// Sleeps until `done()` is true; an interrupt handler makes it so.
@@ -31,7 +35,7 @@ void sleep_until(const Done& done) noexcept {
   for (;;) {
     Core::mask();
     const bool ready = done();
-    if (!ready) Core::wait();
+    if (!ready) Core::wait(done);
     Core::unmask();
     if (ready) return;
   }

@@ -3,14 +3,14 @@
 // The swap of frames between main loop, VBLANK interrupt and the interrupt at the end of a transfer, through
 // all interleavings of up to four frames.
 //
-// What runs here is the code of boards: present::SwapChain over GuardedSwapControl, hal::SwapProtocol and
-// sleep_until. Only the cells that program and interrupts share, the core and the glass are of the test:
-// before each access of the program to a cell, and before each half of a frame it draws, any interrupt may
-// come. Watched at every step: nothing is drawn on the buffer on display or in transfer; what is shown is a
-// whole frame in its own colours; no frame is lost or shown out of order; nobody sleeps through what he waits
-// for, or for ever; the counts are those of what was seen. Without any one of the guards, something of that
-// is found.
-#include <hal/baremetal/core.hpp>
+// What runs here is the code of boards: present::SwapChain over GuardedSwapControl, hal::SwapProtocol,
+// hal::baremetal::TransferPanel and sleep_until. Only the cells that program and interrupts share, the core
+// and the glass are of the test: before each access of the program to a cell, and before each half of a frame
+// it draws, any interrupt may come. Watched at every step: nothing is drawn on the buffer on display or in
+// transfer; what is shown is a whole frame in its own colours; no frame is lost or shown out of order; nobody
+// sleeps through what he waits for, or for ever; the counts are those of what was seen. Without any one of
+// the guards, something of that is found.
+#include <hal/baremetal/transfer_panel.hpp>
 #include <hal/swap_protocol.hpp>
 #include <intaglio/present/swap_chain.hpp>
 #include <tests/oracle/samples.hpp>
@@ -19,7 +19,8 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <cstring>
+#include <cstdio>
+#include <cstdlib>
 #include <functional>
 #include <new>
 #include <string>
@@ -126,19 +127,21 @@ class World {
   /// Sleeps until an interrupt comes.
   void sleep(const std::function<bool()>& awake) {
     step();  // one instruction before
-    if (waiting_[1] || waiting_[2] || !failure.empty()) return;
+    if (!failure.empty()) return end();
+    if (waiting_[1] || waiting_[2]) return;
     in_interrupt = true;
     if (awake()) fail("what was waited for had happened before the core went to sleep");
     in_interrupt = false;
     if (++slept_ > for_ever) fail("the program waits for ever");
-    if (!failure.empty()) return;
+    if (!failure.empty()) return end();
     raise(explorer.choose(possible(false), [this] { return state() + 's'; }));
   }
 
   // The hardware's side.
 
-  void latch(int buffer, std::size_t count, const std::function<std::uint8_t(std::size_t)>& colour) {
-    for (std::size_t i = 0; i < count; ++i) colours_[i] = colour(i);
+  void load_colour(std::size_t entry, std::uint8_t colour) { colours_[entry] = colour; }
+  /// Puts a buffer on display, or begins to send it.
+  void latch(int buffer) {
     if (feed == Feed::scans_out) {
       displayed_ = buffer;
       return;
@@ -191,9 +194,21 @@ class World {
     masked_ = false;
     waiting_ = {};
     call_ = 0;
+    ends_ = 0;
   }
 
  private:
+  /// Lets a program that failed come to its end.
+  void end() {
+    if (++ends_ > 1'000) {
+      std::fprintf(stderr, "%s, and then it doesn't end\n", failure.c_str());
+      std::abort();
+    }
+    in_interrupt = true;
+    on_sent();
+    on_vblank();
+    in_interrupt = false;
+  }
   /// 1: the program goes on; 2: VBLANK; 4: the transfer has ended. A transfer lasts two VBLANKs at most.
   [[nodiscard]] unsigned possible(bool awake) const {
     unsigned can = awake ? 1U : 0U;
@@ -246,6 +261,7 @@ class World {
   bool masked_ = false;
   std::array<bool, 3> waiting_{};
   int call_ = 0;
+  int ends_ = 0;
   int steps_ = 0;
   int slept_ = 0;
   std::string loads_;
@@ -274,12 +290,13 @@ class Cell {
   T value_{};
 };
 
-std::function<bool()> awaited;
-
 struct Core {
   static void mask() { world->mask(); }
   static void unmask() { world->unmask(); }
-  static void wait() { world->sleep(awaited); }
+  template <class Done>
+  static void wait(const Done& done) {
+    world->sleep(done);
+  }
 };
 
 /// The bytes of an object that lies in memory that was zero.
@@ -288,21 +305,20 @@ std::string bytes_of(const T& object) {
   return {reinterpret_cast<const char*>(&object), sizeof object};
 }
 
-/// A driver, as that of a board is.
-template <Feed feed>
-class Driver final : public hal::Panel {
+/// A driver of a panel that scans out, as that of the board clcd is.
+class ScannedPanel final : public hal::Panel {
  public:
-  Driver(int buffers, bool knows)
+  ScannedPanel(int buffers, bool knows)
       : capabilities_{.width = 2, .height = 1, .palette_entries = entries, .buffers = buffers},
         knows_(knows) {}
 
-  using Protocol = hal::SwapProtocol<Cell, std::uint8_t, entries, feed, Switches>;
-  Protocol protocol;
-
   void on_vblank() {
-    protocol.on_vblank(
-        [](int buffer, std::size_t count, const auto& colour) { world->latch(buffer, count, colour); });
+    protocol_.on_vblank([](int buffer, std::size_t count, const auto& colour) {
+      for (std::size_t i = 0; i < count; ++i) world->load_colour(i, colour(i));
+      world->latch(buffer);
+    });
   }
+  void on_sent() {}
 
  private:
   const hal::Capabilities& do_capabilities() const noexcept override { return capabilities_; }
@@ -311,24 +327,44 @@ class Driver final : public hal::Panel {
   }
   int do_buffer_stride() const noexcept override { return 2; }
   hal::Status do_show(int index, std::span<const std::uint8_t> palette) noexcept override {
-    protocol.request(index, palette.size() / 3, [palette](std::size_t i) { return palette[3 * i]; });
+    protocol_.request(index, palette.size() / 3, [palette](std::size_t i) { return palette[3 * i]; });
     return {};
   }
-  bool do_show_pending() noexcept override { return protocol.pending(); }
-  bool do_show_replaced() noexcept override { return protocol.replaced(); }
-  int do_on_display() noexcept override { return knows_ ? protocol.on_display() : unknown; }
+  bool do_show_pending() noexcept override { return protocol_.pending(); }
+  bool do_show_replaced() noexcept override { return protocol_.replaced(); }
+  int do_on_display() noexcept override { return knows_ ? protocol_.on_display() : unknown; }
   hal::Status do_write(const hal::Rect&, std::span<const std::uint8_t>, int) noexcept override { return {}; }
   hal::Status do_load_palette(std::span<const std::uint8_t>) noexcept override { return {}; }
-  std::uint32_t do_vblank_count() noexcept override { return protocol.vblanks(); }
+  std::uint32_t do_vblank_count() noexcept override { return protocol_.vblanks(); }
   hal::Status do_wait_for_vblank() noexcept override {
-    const std::uint32_t before = protocol.vblanks();
-    awaited = [this, before] { return protocol.vblanks() != before; };
-    hal::baremetal::sleep_until<Core>([] { return !world->failure.empty() || awaited(); });
+    const std::uint32_t before = protocol_.vblanks();
+    hal::baremetal::sleep_until<Core>([this, before] { return protocol_.vblanks() != before; });
     return world->failure.empty() ? hal::Status{} : hal::Status{hal::Error::timeout, hal::Part::panel};
   }
 
   hal::Capabilities capabilities_;
   bool knows_;
+  hal::SwapProtocol<Cell, std::uint8_t, entries, Feed::scans_out, Switches> protocol_;
+};
+
+/// The library's own driver of a panel that is sent its frames.
+class SentPanel : private hal::baremetal::FrameTransfer {
+ public:
+  using Driver = hal::baremetal::TransferPanel<entries, Cell, Core, Switches>;
+  SentPanel(int buffers, bool)
+      : driver_({.width = 2, .height = 1, .palette_entries = entries}, *this, world->memory, buffers) {}
+  operator hal::Panel&() { return driver_; }  // NOLINT(google-explicit-constructor): it stands for it.
+  void on_vblank() { driver_.on_vblank(); }
+  void on_sent() { driver_.on_sent(); }
+
+ private:
+  hal::Status do_begin(std::span<const std::uint8_t> pixels,
+                       std::span<const std::uint8_t> colours) noexcept override {
+    for (std::size_t i = 0; i < colours.size() / 3; ++i) world->load_colour(i, colours[3 * i]);
+    world->latch(static_cast<int>((pixels.data() - world->memory.data()) / 2));
+    return {};
+  }
+  Driver driver_;
 };
 
 /// How frames are shown.
@@ -341,21 +377,22 @@ struct Policy {
 };
 
 /// One run: what is wrong, or nothing.
-template <Feed feed>
+template <class Driver>
 std::string run_once(const Policy& policy) {
   using Chain = SwapChain<Indexed8, intaglio::present::GuardedSwapControl<Switches>>;
-  alignas(Driver<feed>) static std::array<unsigned char, sizeof(Driver<feed>)> driver_memory;
+  alignas(Driver) static std::array<unsigned char, sizeof(Driver)> driver_memory;
   alignas(Chain) static std::array<unsigned char, sizeof(Chain)> chain_memory;
   driver_memory = {};
   chain_memory = {};
   world->start();
   world->in_interrupt = true;  // Making things isn't a step.
-  auto& driver = *new (driver_memory.data()) Driver<feed>(policy.buffers, policy.knows);
-  auto& chain = *new (chain_memory.data()) Chain(driver, policy.pace);
+  auto& driver = *new (driver_memory.data()) Driver(policy.buffers, policy.knows);
+  hal::Panel& panel = driver;
+  auto& chain = *new (chain_memory.data()) Chain(panel, policy.pace);
   world->in_interrupt = false;
   world->on_vblank = [&driver] { driver.on_vblank(); };
-  world->on_sent = [&driver] { driver.protocol.on_sent(); };
-  world->shared = [&driver] { return bytes_of(driver.protocol); };
+  world->on_sent = [&driver] { driver.on_sent(); };
+  world->shared = [&driver] { return bytes_of(driver); };
   const auto call = [&chain] { world->begin_call(bytes_of(chain.control())); };
 
   for (int n = 1; n <= frames; ++n) {
@@ -371,7 +408,7 @@ std::string run_once(const Policy& policy) {
   }
   call();
   chain.wait_until_shown().ignore();
-  while (world->failure.empty() && world->transferring()) driver.wait_for_vblank().ignore();
+  while (world->failure.empty() && world->transferring()) panel.wait_for_vblank().ignore();
   if (!world->failure.empty()) return world->failure;
   const auto& counts = chain.counts();
   if (counts.shown + counts.dropped != frames) return "a frame isn't counted";
@@ -394,7 +431,7 @@ Outcome explore_all(const Policy& policy, const AtWill& at_will = {}) {
   world = &here;
   Outcome outcome;
   outcome.wrong = here.explorer.explore([&policy] {
-    return policy.feed == Feed::scans_out ? run_once<Feed::scans_out>(policy) : run_once<Feed::sends>(policy);
+    return policy.feed == Feed::scans_out ? run_once<ScannedPanel>(policy) : run_once<SentPanel>(policy);
   });
   outcome.states = here.explorer.states();
   world = nullptr;

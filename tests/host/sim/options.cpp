@@ -51,4 +51,35 @@ TEST(SimOptions, HelpIsNoError) {
   EXPECT_EQ(std::get<int>(parsed), 0);
 }
 
+TEST(SimOptions, WiresAndSchemesMeanARealPanel) {
+  const auto parsed =
+      parse({"gauges", "--panel",   "st7789", "--spi",  "/dev/spidev0.0", "--gpio",   "gpiochip1", "--dc",
+             "25",     "--reset",   "RST",    "--te",   "gpiochip0:23",   "--spi-hz", "40000000",  "--rotate",
+             "270",    "--address", "0x3D",   "--size", "240x240",        "--report", "counted"});
+  ASSERT_TRUE(std::holds_alternative<Options>(parsed));
+  const host::AttachOptions& attach = std::get<Options>(parsed).attach;
+  EXPECT_TRUE(host::means_attached(attach));
+  EXPECT_EQ(attach.panel, "st7789");
+  EXPECT_EQ(attach.spi, "/dev/spidev0.0");
+  EXPECT_EQ(attach.spi_hertz, 40'000'000U);
+  EXPECT_EQ(attach.gpio, "gpiochip1");
+  EXPECT_EQ(attach.data_command, "25");
+  EXPECT_EQ(attach.reset, "RST");
+  EXPECT_EQ(attach.te, "gpiochip0:23");
+  EXPECT_EQ(attach.rotate, 270);
+  EXPECT_EQ(attach.address, 0x3D);
+  EXPECT_EQ(attach.size, "240x240");
+  EXPECT_TRUE(host::means_attached(std::get<Options>(parse({"gauges", "--panel", "fb:/dev/fb0"})).attach));
+  EXPECT_FALSE(host::means_attached(std::get<Options>(parse({"gauges", "--panel", "ssd1306"})).attach));
+}
+
+TEST(SimOptions, WhatIsForSimulatedPanelsIsRefusedOnRealOnes) {
+  for (const char* const option :
+       {"--window", "--terminal", "--png=a", "--apng=a", "--effects=te", "--trace=a", "--explain"})
+    EXPECT_TRUE(std::holds_alternative<int>(parse({"gauges", "--panel", "fb:/dev/fb0", option}))) << option;
+  for (const char* const option :
+       {"--report=a", "--rotate=45", "--address=0x80", "--spi-mode=4", "--contrast=256"})
+    EXPECT_TRUE(std::holds_alternative<int>(parse({"gauges", option}))) << option;
+}
+
 }  // namespace

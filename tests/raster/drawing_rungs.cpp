@@ -2,9 +2,12 @@
 //
 // Rungs that draw: each draws what its function draws, within its bound of what is exact, each pixel once;
 // and refuses what its function refuses.
+#include <host/lab/errors/pixel_sink.hpp>
 #include <intaglio/image/format.hpp>
 #include <intaglio/image/surface.hpp>
+#include <intaglio/raster/circle_rungs.hpp>
 #include <intaglio/raster/edge_rungs.hpp>
+#include <intaglio/raster/ellipse_rungs.hpp>
 #include <intaglio/raster/flood_rungs.hpp>
 #include <intaglio/raster/line_rungs.hpp>
 #include <intaglio/raster/polygon_rungs.hpp>
@@ -15,6 +18,7 @@
 #include <tests/oracle/level_sink.hpp>
 #include <tests/oracle/random.hpp>
 #include <tests/oracle/recording_sink.hpp>
+#include <tests/oracle/samples.hpp>
 
 #include <climits>
 #include <gtest/gtest.h>
@@ -99,6 +103,105 @@ TEST(TriangleRungTypes, RefuseWhatIsTooFarAndTooLarge) {
               narrow ? Error::too_large : Error::none)
         << name<R>();
     EXPECT_EQ(drawn.spans() == 0, narrow) << name<R>();
+  });
+}
+
+using host::lab::Pixels;
+using host::lab::PixelSink;
+
+// What a call draws on a sink, anywhere.
+template <class Draw>
+Pixels drawn_by(Draw draw) {
+  Pixels pixels;
+  const PixelSink everywhere({-5'000, -5'000, 10'000, 10'000}, pixels);
+  EXPECT_TRUE(draw(everywhere).ok());
+  return pixels;
+}
+
+// What is wrong with the pixels that a rung draws, beside the exact ones; empty if nothing is.
+template <class R>
+std::string fault(Pixels drawn, const Pixels& exact) {
+  const int wrong = host::lab::differences(drawn, exact);
+  std::sort(drawn.begin(), drawn.end());
+  if (std::adjacent_find(drawn.begin(), drawn.end()) != drawn.end()) return name<R>() + ": one drawn twice";
+  if (wrong * 1000 > R::bound.thousandths) return name<R>() + ": " + std::to_string(wrong) + " wrong";
+  return "";
+}
+
+TEST(CircleRungTypes, HaveFewPixelsWrongAndNoneTwice) {
+  for (int radius = 0; radius <= 1'024; radius += radius < 20 ? 1 : oracle::samples(41, 1)) {
+    const Pixels exact = drawn_by([&](auto& sink) {
+      return raster::draw_circle(sink, Point{1, -2}, radius);
+    });
+    for_each_rung(raster::CircleFamily{}, [&]<class R>() {
+      EXPECT_EQ(fault<R>(drawn_by([&](auto& sink) {
+                           return R{}(sink, Point{1, -2}, radius);
+                         }),
+                         exact),
+                "")
+          << radius;
+    });
+  }
+}
+
+TEST(CircleRungTypes, ReachTheirLargestRadiusAndNoFurther) {
+  for_each_rung(raster::CircleFamily{}, []<class R>() {
+    if constexpr (requires { R::most; }) {
+      if (R::most > 20'000) return;
+      const Rect east{R::most - 60, -90, 100, 180};
+      RecordingSink exact(east);
+      RecordingSink drawn(east);
+      ASSERT_TRUE(raster::draw_circle(exact, Point{}, R::most).ok());
+      EXPECT_TRUE(R{}(drawn, Point{}, R::most).ok());
+      if (R::bound.exact()) {
+        EXPECT_EQ(drawn.all_writes(), exact.all_writes()) << name<R>();
+      }
+      EXPECT_EQ(R{}(drawn, Point{}, R::most + 1).needed(), static_cast<unsigned>(R::most)) << name<R>();
+    }
+    RecordingSink drawn(window);
+    EXPECT_EQ(R{}(drawn, Point{}, -1).argument(), Argument::radius) << name<R>();
+    EXPECT_EQ(R{}(drawn, Point{}, INT_MAX).argument(), Argument::radius) << name<R>();
+    EXPECT_EQ(R{}(drawn, Point{INT_MIN, 0}, 5).argument(), Argument::point) << name<R>();
+    EXPECT_EQ(drawn.spans(), 0);
+  });
+}
+
+TEST(EllipseRungTypes, HaveFewPixelsWrongAndNoneTwice) {
+  const auto check = [](int a, int b) {
+    const Pixels exact = drawn_by([&](auto& sink) { return raster::draw_ellipse(sink, Point{-9, 2}, a, b); });
+    for_each_rung(raster::EllipseFamily{}, [&]<class R>() {
+      if constexpr (requires { R::most; }) {
+        if (std::max(a, b) > R::most) return;
+      }
+      EXPECT_EQ(fault<R>(drawn_by([&](auto& sink) {
+                           return R{}(sink, Point{-9, 2}, a, b);
+                         }),
+                         exact),
+                "")
+          << a << ", " << b;
+    });
+  };
+  for (int a = 0; a <= 20; ++a)
+    for (int b = 0; b <= 20; ++b) check(a, b);
+  for (const int longest : {645, 1'024})
+    for (const int other : {1, 2, longest / 3, longest}) check(longest, other), check(other, longest);
+  check(434, 438);  // the worst by sines
+  oracle::Random random(1884);
+  for (int i = 0; i < oracle::samples(40, 4'000); ++i)
+    check(random.between(0, 1'024), random.between(0, 450));
+}
+
+TEST(EllipseRungTypes, RefuseWhatTheirBitsDoNotHold) {
+  for_each_rung(raster::EllipseFamily{}, []<class R>() {
+    RecordingSink drawn(window);
+    if constexpr (requires { R::most; }) {
+      EXPECT_EQ(R{}(drawn, Point{}, R::most + 1, 3).error(), Error::too_large) << name<R>();
+      EXPECT_EQ(R{}(drawn, Point{}, 3, R::most + 1).needed(), static_cast<unsigned>(R::most)) << name<R>();
+    }
+    EXPECT_EQ(R{}(drawn, Point{}, 3, -1).argument(), Argument::radius) << name<R>();
+    EXPECT_EQ(R{}(drawn, Point{}, INT_MAX, INT_MIN).argument(), Argument::radius) << name<R>();
+    EXPECT_EQ(R{}(drawn, Point{0, INT_MAX}, 5, 5).argument(), Argument::point) << name<R>();
+    EXPECT_EQ(drawn.spans(), 0);
   });
 }
 

@@ -19,8 +19,12 @@ extern "C" void note(int) { came = 1; }
 }  // namespace
 
 void watch_for_interruption(SecondSignal second) {
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP})
-    std::signal(signal, second == SecondSignal::waits ? note : note_and_reset);
+  const bool waits = second == SecondSignal::waits;
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, waits ? note : note_and_reset);
+  if (!waits) return;
+  std::signal(SIGQUIT, note);
+  // Writing to a reader that has gone fails then, instead of ending the program.
+  std::signal(SIGPIPE, SIG_IGN);
 }
 
 bool interrupted() { return came != 0; }

@@ -12,7 +12,8 @@ enum class SecondSignal {
   waits,         ///< For the program's orderly end, too: what hangs on wires must not be left half written.
 };
 
-/// From now on these signals only set a flag.
+/// From now on these signals only set a flag; with `waits` SIGQUIT, too, and a reader that has gone (SIGPIPE)
+/// makes writing fail.
 void watch_for_interruption(SecondSignal second);
 
 /// True once one has come.

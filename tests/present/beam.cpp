@@ -4,13 +4,16 @@
 // and whose glass remembers what each refresh showed.
 #include <hal/sim/virtual_clock.hpp>
 #include <intaglio/present/bands.hpp>
+#include <intaglio/present/frame_writer.hpp>
 #include <tests/oracle/samples.hpp>
 #include <tests/present/slow_panel.hpp>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <random>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -28,6 +31,7 @@ using intaglio::present::BandWriter;
 using intaglio::present::BeamChaser;
 using intaglio::present::BeamTiming;
 using intaglio::present::FrameCounts;
+using intaglio::present::FrameWriter;
 using intaglio::present::Late;
 using intaglio::present::Pace;
 using intaglio::present::picture_window;
@@ -215,6 +219,59 @@ TEST(BeamChaser, IsNeverTornWhereItSaysSoInAllDirections) {
   }
   EXPECT_GT(possible, 50);
   EXPECT_GT(impossible, 30);
+}
+
+TEST(BeamChaser, SendsWholeFramesFromMemoryWithoutTearsToo) {
+  constexpr unsigned seed = 50'003;
+  SCOPED_TRACE(seed);
+  std::mt19937 random(seed);
+  int possible = 0;
+  for (int round = 0; round < oracle::samples(200, 10'000); ++round) {
+    const auto scan = static_cast<ScanDirection>(random() % 4U);
+    BeamTiming timing = timing_of(scan, 300U + random() % 4'000U);
+    timing.draw_line = 0;
+    VirtualClock clock;
+    SlowPanel panel(clock, width, height, scan, timing);
+    BeamChaser chaser(clock, panel, timing);
+    std::vector<std::uint8_t> memory(std::size_t{width} * height);
+    FrameWriter<Indexed8> writer(panel, memory, chaser, 1 + static_cast<int>(random() % 2U));
+    ASSERT_TRUE(writer.status().ok());
+    constexpr std::uint32_t frames = 10;
+    for (std::uint32_t n = 1; n <= frames; ++n) {
+      auto begun = writer.begin();
+      ASSERT_TRUE(drawing(n, clock, random() % 70'000U)(begun.value().surface()).ok());
+      ASSERT_TRUE(writer.present(std::move(begun).value()).ok());
+      ASSERT_EQ(std::ranges::count(panel.glass, n), width * height);
+    }
+    clock.advance(2U * timing.refresh);
+    ASSERT_EQ(writer.counts().shown, frames);
+    ASSERT_EQ(chaser.torn(), chaser.tear_free() ? 0U : frames);
+    if (!chaser.tear_free()) continue;
+    ++possible;
+    ASSERT_EQ(panel.torn, 0U) << "bus " << timing.bus_line << " direction " << static_cast<int>(scan);
+  }
+  EXPECT_GT(possible, 50);
+}
+
+TEST(BeamChaser, SendsOnlyBandsOnWhichSomethingChanged) {
+  for (const auto scan :
+       {ScanDirection::down, ScanDirection::up, ScanDirection::left, ScanDirection::right}) {
+    const BeamTiming timing = timing_of(scan, 1'000);
+    VirtualClock clock;
+    SlowPanel panel(clock, width, height, scan, timing);
+    BeamChaser chaser(clock, panel, timing);
+    std::vector<std::uint8_t> memory(std::size_t{width} * height);
+    FrameWriter<Indexed8> writer(panel, memory, chaser);
+    ASSERT_TRUE(writer.present(writer.begin().value()).ok());
+    memory.back() = 7;
+    memory.front() = 9;  // Not said to have changed, and on another band.
+    const std::array<intaglio::linear::Rect, 1> corner{intaglio::linear::Rect{width - 1, height - 1, 1, 1}};
+    ASSERT_TRUE(writer.present(writer.begin().value(), {}, corner).ok());
+    EXPECT_EQ(panel.glass.back(), 7);
+    EXPECT_EQ(panel.glass.front(), 0);
+    ASSERT_TRUE(writer.present(writer.begin().value()).ok());
+    EXPECT_EQ(panel.glass.front(), 9);
+  }
 }
 
 TEST(BeamChaser, WithoutItTheSamePicturesAreTorn) {

@@ -12,6 +12,7 @@
 #pragma once
 
 #include <intaglio/image/surface.hpp>
+#include <intaglio/present/band_cut.hpp>
 #include <intaglio/present/beam_chaser.hpp>
 #include <intaglio/present/pacer.hpp>
 #include <intaglio/present/panel_port.hpp>
@@ -21,33 +22,6 @@
 #include <type_traits>
 
 namespace intaglio::present {
-
-/// Rows of a band in `memory` bytes at `stride` bytes a row on this panel; 0 if not even the least aligned
-/// group of rows fits.
-[[nodiscard]] int band_rows(const hal::Capabilities& panel, int stride, std::size_t memory) noexcept;
-
-/// How a picture is cut: `count` bands of `lines` rows or columns; the last may have fewer.
-struct BandCut {
-  int lines = 0;
-  int count = 0;
-  bool columns = false;
-  bool backwards = false;  ///< The last band goes first.
-
-  /// Band `step` in the order in which they are sent.
-  [[nodiscard]] linear::Rect band(const hal::Capabilities& panel, int step) const noexcept;
-  /// Its first line in the order of the scan.
-  [[nodiscard]] int first_scanned(const hal::Capabilities& panel, int step) const noexcept;
-};
-
-/// Rows from the top, as many as fit `memory` bytes; none (`count` 0) if that is too little.
-[[nodiscard]] BandCut rows_from_top(const hal::Capabilities& panel, int bits_per_pixel,
-                                    std::size_t memory) noexcept;
-/// The same in the direction of the scan.
-[[nodiscard]] BandCut along_scan(const hal::Capabilities& panel, int bits_per_pixel,
-                                 std::size_t memory) noexcept;
-/// Bytes that the least band of this kind needs.
-[[nodiscard]] std::uint32_t least_memory(const hal::Capabilities& panel, int bits_per_pixel,
-                                         bool columns) noexcept;
 
 /// Bands of format `F` on a write panel.
 template <image::PixelFormat F>
@@ -121,10 +95,7 @@ class BandWriter {
     if (cut_.count == 0)
       return {Error::too_small, Argument::workspace, least_memory(c, F::bits, cut_.columns)};
     if (chaser_ == nullptr) return {};
-    const Travel travel = cut_.columns ? Travel::across : (cut_.backwards ? Travel::against : Travel::along);
-    const linear::Rect first = cut_.band(c, 0);
-    return chaser_->prepare(
-        {cut_.columns ? c.width : c.height, cut_.columns ? first.width : first.height, cut_.lines}, travel);
+    return chaser_->prepare(cut_.sizes(c), cut_.travel());
   }
 
   template <class Draw>
@@ -189,7 +160,7 @@ class BandWriter {
         if (!sent) return {};
       }
       const int first = cut_.first_scanned(c, step);
-      chaser_->before_write(first, first + (cut_.columns ? area.width : area.height));
+      chaser_->before_write(first, first + cut_.lines_of(area));
       if (const hal::Status s = write(band.value()); !s.ok()) return failed(s, refresh);
       chaser_->after_write();
     }

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include <intaglio/present/frame_writer.hpp>
 
+#include <algorithm>
+
 namespace intaglio::present {
 
 namespace {
+
+// Behind a beam that goes against the writes a band must be short beside its lead; a write has a price, too.
+constexpr int lines_of_a_band = 16;
 
 /// The least multiple of `alignment` that is also one of `pixels_per_byte`, which is 1, 2, 4 or 8.
 int whole_bytes(int alignment, int pixels_per_byte) noexcept {
@@ -14,13 +19,22 @@ int whole_bytes(int alignment, int pixels_per_byte) noexcept {
 
 }  // namespace
 
-WriteControl::WriteControl(hal::Panel& panel, const Pace& pace, int pixels_per_byte) noexcept
+WriteControl::WriteControl(hal::Panel& panel, const Pace& pace, int pixels_per_byte,
+                           BeamChaser* chaser) noexcept
     : panel_(&panel),
+      chaser_(chaser),
       pacer_(pace),
+      pixels_per_byte_(pixels_per_byte),
       owed_({panel.capabilities().width, panel.capabilities().height},
             whole_bytes(panel.capabilities().x_alignment, pixels_per_byte),
             panel.capabilities().y_alignment) {
   owed_.add_all();
+}
+
+Status WriteControl::prepare() noexcept {
+  if (chaser_ == nullptr) return {};
+  cut_ = cut_along_scan(panel_->capabilities(), 8 / pixels_per_byte_, lines_of_a_band);
+  return chaser_->prepare(cut_.sizes(panel_->capabilities()), cut_.travel());
 }
 
 Status WriteControl::owe(std::span<const linear::Rect> dirty) noexcept {
@@ -32,11 +46,20 @@ Status WriteControl::owe(std::span<const linear::Rect> dirty) noexcept {
 
 Status WriteControl::send(std::span<const std::uint8_t> buffer, int stride, int bits_per_pixel,
                           std::span<const std::uint8_t> palette) noexcept {
-  if (const Status s = pacer_.wait(*panel_, 0); !s.ok()) return s;
-  const std::uint32_t vblank = panel_->vblank_count();
+  std::uint32_t vblank = 0;
+  if (chaser_ != nullptr) {
+    const Result<std::uint32_t> aim = chaser_->aim(pacer_);
+    if (!aim.ok()) return aim.status();
+    vblank = aim.value();
+  } else {
+    if (const Status s = pacer_.wait(*panel_, 0); !s.ok()) return s;
+    vblank = panel_->vblank_count();
+  }
   const bool dropped = can_wait(panel_->capabilities(), palette) && pacer_.drop(vblank);
-  const hal::Status s = dropped ? load(palette) : send_now(buffer, stride, bits_per_pixel, palette);
+  hal::Status s = load(palette);
   if (dropped) return to_status(s);
+  if (s.ok())
+    s = chaser_ != nullptr ? chase(buffer, stride, bits_per_pixel) : send_now(buffer, stride, bits_per_pixel);
   if (s.ok()) {
     pacer_.appeared(vblank);
     owed_.clear();
@@ -52,14 +75,32 @@ hal::Status WriteControl::load(std::span<const std::uint8_t> palette) noexcept {
   return panel_->load_palette(palette);
 }
 
-hal::Status WriteControl::send_now(std::span<const std::uint8_t> buffer, int stride, int bits_per_pixel,
-                                   std::span<const std::uint8_t> palette) noexcept {
-  if (const hal::Status s = load(palette); !s.ok()) return s;
-  for (const linear::Rect& r : owed_.rects()) {
-    const auto first = static_cast<std::size_t>(r.y * stride + r.x * bits_per_pixel / 8);
-    const hal::Status s = panel_->write({r.x, r.y, r.width, r.height}, buffer.subspan(first), stride);
-    if (!s.ok()) return s;
+hal::Status WriteControl::write(const linear::Rect& r, std::span<const std::uint8_t> buffer, int stride,
+                                int bits_per_pixel) noexcept {
+  const auto first = static_cast<std::size_t>(r.y * stride + r.x * bits_per_pixel / 8);
+  return panel_->write({r.x, r.y, r.width, r.height}, buffer.subspan(first), stride);
+}
+
+hal::Status WriteControl::send_now(std::span<const std::uint8_t> buffer, int stride,
+                                   int bits_per_pixel) noexcept {
+  for (const linear::Rect& r : owed_.rects())
+    if (const hal::Status s = write(r, buffer, stride, bits_per_pixel); !s.ok()) return s;
+  return {};
+}
+
+hal::Status WriteControl::chase(std::span<const std::uint8_t> buffer, int stride,
+                                int bits_per_pixel) noexcept {
+  const hal::Capabilities& c = panel_->capabilities();
+  for (int step = 0; step < cut_.count; ++step) {
+    const linear::Rect band = cut_.band(c, step);
+    const auto on_band = [&band](const linear::Rect& r) { return !linear::intersect(r, band).empty(); };
+    if (std::ranges::none_of(owed_.rects(), on_band)) continue;
+    const int first = cut_.first_scanned(c, step);
+    chaser_->before_write(first, first + cut_.lines_of(band));
+    if (const hal::Status s = write(band, buffer, stride, bits_per_pixel); !s.ok()) return s;
+    chaser_->after_write();
   }
+  chaser_->complete();
   return {};
 }
 

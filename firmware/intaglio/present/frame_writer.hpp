@@ -7,9 +7,13 @@
 // the first frame is always sent whole, for what a panel holds at power-on is unknown.
 // Where the panel applies colours as pixels are written, new colours mean that all is sent again; whoever
 // brings colours is taken to bring new ones.
-// The buffer keeps its picture from frame to frame, so a program need only draw what changes.
+// With a beam chaser a frame goes out in bands of whole lines behind the beam, those left out on which
+// nothing changed. The buffer keeps its picture from frame to frame, so a program need only draw what
+// changes.
 #pragma once
 
+#include <intaglio/present/band_cut.hpp>
+#include <intaglio/present/beam_chaser.hpp>
 #include <intaglio/present/dirty_list.hpp>
 #include <intaglio/present/frame.hpp>
 #include <intaglio/present/pacer.hpp>
@@ -22,7 +26,9 @@ namespace intaglio::present {
 class WriteControl {
  public:
   /// `pixels_per_byte`: rectangles also begin at whole bytes of the buffer.
-  WriteControl(hal::Panel& panel, const Pace& pace, int pixels_per_byte) noexcept;
+  WriteControl(hal::Panel& panel, const Pace& pace, int pixels_per_byte, BeamChaser* chaser) noexcept;
+  /// Errors: table (`BeamChaser::prepare`).
+  [[nodiscard]] Status prepare() noexcept;
 
   /// Adds changed rectangles to what is owed. Errors: rectangle (out of domain); then none is added.
   [[nodiscard]] Status owe(std::span<const linear::Rect> dirty) noexcept;
@@ -38,11 +44,19 @@ class WriteControl {
  private:
   /// Loads colours, if there are any, and owes what they change.
   [[nodiscard]] hal::Status load(std::span<const std::uint8_t> palette) noexcept;
-  [[nodiscard]] hal::Status send_now(std::span<const std::uint8_t> buffer, int stride, int bits_per_pixel,
-                                     std::span<const std::uint8_t> palette) noexcept;
+  /// Sends the bands on which something is owed behind the beam.
+  [[nodiscard]] hal::Status chase(std::span<const std::uint8_t> buffer, int stride,
+                                  int bits_per_pixel) noexcept;
+  [[nodiscard]] hal::Status send_now(std::span<const std::uint8_t> buffer, int stride,
+                                     int bits_per_pixel) noexcept;
+  [[nodiscard]] hal::Status write(const linear::Rect& rect, std::span<const std::uint8_t> buffer, int stride,
+                                  int bits_per_pixel) noexcept;
 
   hal::Panel* panel_;
+  BeamChaser* chaser_;
   Pacer pacer_;
+  BandCut cut_{};
+  int pixels_per_byte_;
   DirtyList owed_;
 };
 
@@ -60,17 +74,15 @@ class FrameWriter : public FrameLender {
   /// Draws in `memory` (whole rows, close together) frames at this pace, in VBLANKs or ticks of the panel's
   /// frame clock. Whether that can be done says `status`.
   FrameWriter(hal::Panel& panel, std::span<std::uint8_t> memory, const Pace& pace = {}) noexcept
-      : control_(panel, pace, F::pixels_per_byte), memory_(memory) {
-    const hal::Capabilities& c = panel.capabilities();
-    const Result<image::Surface<F>> surface = image::Surface<F>::over(memory, {c.width, c.height});
-    surface_ = surface.value();
-    status_ = c.buffers != 0 ? Status{Error::unsupported, Argument::panel} : check_format<F>(c);
-    if (status_.ok()) status_ = Pacer::check(pace);
-    if (status_.ok()) status_ = surface.status();
-  }
+      : FrameWriter(panel, memory, nullptr, pace) {}
+  /// The same behind the beam. The chaser outlives the writer and serves it alone; its lines are rows, or
+  /// columns of a panel that is scanned sideways, and its `draw_line` is 0: all is drawn before.
+  FrameWriter(hal::Panel& panel, std::span<std::uint8_t> memory, BeamChaser& chaser,
+              const Pace& pace = {}) noexcept
+      : FrameWriter(panel, memory, &chaser, pace) {}
 
   /// Errors: panel (mismatched: other pixel format; unsupported: a scan-out panel), count (`Pacer::check`),
-  /// buffer (too small: `needed()` bytes).
+  /// buffer (too small: `needed()` bytes), table (`BeamChaser::prepare`).
   [[nodiscard]] Status status() const noexcept { return status_; }
   [[nodiscard]] ScreenInfo info() const noexcept { return screen_info(control_.panel().capabilities()); }
 
@@ -110,6 +122,18 @@ class FrameWriter : public FrameLender {
   [[nodiscard]] const FrameCounts& counts() const noexcept { return control_.pacer().counts(); }
 
  private:
+  FrameWriter(hal::Panel& panel, std::span<std::uint8_t> memory, BeamChaser* chaser,
+              const Pace& pace) noexcept
+      : control_(panel, pace, F::pixels_per_byte, chaser), memory_(memory) {
+    const hal::Capabilities& c = panel.capabilities();
+    const Result<image::Surface<F>> surface = image::Surface<F>::over(memory, {c.width, c.height});
+    surface_ = surface.value();
+    status_ = c.buffers != 0 ? Status{Error::unsupported, Argument::panel} : check_format<F>(c);
+    if (status_.ok()) status_ = Pacer::check(pace);
+    if (status_.ok()) status_ = surface.status();
+    if (status_.ok()) status_ = control_.prepare();
+  }
+
   Status check(const Frame<F>& frame, std::span<const std::uint8_t> palette) const noexcept {
     if (const Status s = check_own(frame); !s.ok()) return s;
     return check_palette(control_.panel().capabilities(), palette);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <intaglio/present/bands.hpp>
+#include <intaglio/present/band_cut.hpp>
 
 #include <algorithm>
 
@@ -37,6 +37,10 @@ int BandCut::first_scanned(const hal::Capabilities& panel, int step) const noexc
   return backwards ? panel.height - r.bottom() : r.y;
 }
 
+BandSizes BandCut::sizes(const hal::Capabilities& panel) const noexcept {
+  return {columns ? panel.width : panel.height, lines_of(band(panel, 0)), lines};
+}
+
 BandCut rows_from_top(const hal::Capabilities& panel, int bits_per_pixel, std::size_t memory) noexcept {
   BandCut cut;
   cut.lines = band_rows(panel, row_bytes(panel.width, bits_per_pixel), memory);
@@ -60,6 +64,16 @@ BandCut along_scan(const hal::Capabilities& panel, int bits_per_pixel, std::size
   }
   cut.backwards = panel.scan == ScanDirection::up || panel.scan == ScanDirection::left;
   return cut;
+}
+
+BandCut cut_along_scan(const hal::Capabilities& panel, int bits_per_pixel, int lines) noexcept {
+  using hal::ScanDirection;
+  const bool columns = panel.scan == ScanDirection::left || panel.scan == ScanDirection::right;
+  const int bytes = columns ? (lines * bits_per_pixel + 7) / 8 * panel.height
+                            : lines * row_bytes(panel.width, bits_per_pixel);
+  return along_scan(
+      panel, bits_per_pixel,
+      std::max<std::size_t>(static_cast<std::size_t>(bytes), least_memory(panel, bits_per_pixel, columns)));
 }
 
 std::uint32_t least_memory(const hal::Capabilities& panel, int bits_per_pixel, bool columns) noexcept {

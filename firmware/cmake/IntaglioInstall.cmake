@@ -89,6 +89,7 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_TOOLS_PACKAGE_NAME intaglio-tools)
 set(CPACK_DEBIAN_TOOLS_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_TOOLS_PACKAGE_RECOMMENDS "libhidapi-hidraw0, libhidapi-libusb0") # loaded when they are wanted
 set(CPACK_DEBIAN_TOOLS_DESCRIPTION "Simulator, drawing tool and asset compiler for small displays
 Draws on simulated panels, on real ones behind Linux GPIO, SPI, I2C or USB HID,
 and into PNG files, with integers only and the same pixels everywhere.")

@@ -37,8 +37,6 @@ Status HidPanel::reconnect() {
     if (s.ok()) {
       ++counters_.reconnects;
       connected_ = true;
-      known_ = false;
-      committed_ = 0;
       return {};
     }
     if (s.error() != Error::disconnected && s.error() != Error::timeout) return s;

@@ -132,16 +132,25 @@ class Show {
     }
   }
 
+  /// Shows the next frame without waiting for it.
+  hal::Status rush() {
+    film->next();
+    const int buffer = static_cast<int>(shown_++ % 2U);
+    std::copy(film->picture().begin(), film->picture().end(), panel->buffer(buffer).begin());
+    allowed_.push_back(*film);
+    return panel->show(buffer, film->palette());
+  }
+
   /// What the glass shows is the last frame that the program has shown.
   void expect_shown() {
     ASSERT_EQ(displayed(), indices(film->picture()));
     ASSERT_EQ(colours(), colours_of(*film));
   }
-  /// It is one of the last two, whole.
+  /// It is one of the last three, whole.
   void expect_a_frame() {
     const auto now = displayed();
-    const std::size_t first = allowed_.size() >= 2 ? allowed_.size() - 2 : 0;
-    bool found = allowed_.size() < 2;
+    const std::size_t first = allowed_.size() >= 3 ? allowed_.size() - 3 : 0;
+    bool found = allowed_.size() < 3;
     for (std::size_t i = first; i < allowed_.size(); ++i)
       found = found || (now == indices(allowed_[i].picture()) && colours() == colours_of(allowed_[i]));
     ASSERT_TRUE(found) << "a torn frame";
@@ -207,6 +216,97 @@ TEST(HidLink, ShowsSixHundredFramesOneAVblank) {
   EXPECT_LE(show.glass.vblank_count() - first, 602U);
 }
 
+/// Looks at the glass at each VBLANK.
+class Watch final : public hal::sim::Observer {
+ public:
+  explicit Watch(Show& show) : show_(&show) { show.glass.attach(*this); }
+  ~Watch() override { show_->glass.detach(*this); }
+  Watch(const Watch&) = delete;
+  Watch& operator=(const Watch&) = delete;
+  int vblanks = 0;
+
+ private:
+  void on_vblank(std::uint64_t, Nanoseconds) override {
+    ++vblanks;
+    show_->expect_a_frame();
+  }
+  Show* show_;
+};
+
+TEST(HidLink, NeverTearsAFrameForAProgramThatDoesNotWait) {
+  for (const PanelSpec& spec : {scan_out(), write_panel(33, 20, 8, 1, 1)}) {
+    Show show(spec);
+    show.open();
+    show.run(3);
+    Watch watch(show);
+    for (int i = 0; i < 100 && !HasFailure(); ++i) ASSERT_TRUE(show.rush().ok());
+    ASSERT_TRUE(show.panel->wait_for_vblank().ok());
+    show.expect_shown();
+    EXPECT_GE(watch.vblanks, 99);
+  }
+}
+
+TEST(HidLink, FillsAGapBeforeItsPatienceEnds) {
+  // A report is lost in the middle of a frame of noise; those behind it tell of the gap.
+  Show show(hal::sim::paletted(64, 48, 8));
+  std::uint64_t lost = ~std::uint64_t{0};
+  show.wire.fate = [&lost](Direction d, std::uint64_t n) {
+    return d == Direction::to_device && n == lost ? Fate::lost : Fate::arrives;
+  };
+  show.open();
+  show.run(1);
+  const auto buffer = show.panel->buffer(0);
+  for (std::size_t i = 0; i < buffer.size(); ++i) buffer[i] = static_cast<std::uint8_t>(i * i / 3U);
+  lost = show.wire.sent() + 25;
+  const Nanoseconds begin = show.clock.now();
+  ASSERT_TRUE(show.panel->show(0, {}).ok());
+  EXPECT_LT(show.clock.now() - begin, Nanoseconds{20'000'000});
+  EXPECT_GT(show.link.counters().resent, 0U);
+  EXPECT_LE(show.link.counters().resent, 16U);
+}
+
+TEST(HidLink, SendsAllAgainToADeviceWhoseMemoryChanged) {
+  Show show(scan_out());
+  show.open();
+  show.run(3);
+  for (const int i : {0, 1}) show.glass.buffer(i)[77] ^= 0x40;
+  // The same picture but for a byte elsewhere.
+  const auto buffer = show.panel->buffer(0);
+  std::copy(show.film->picture().begin(), show.film->picture().end(), buffer.begin());
+  buffer[500] ^= 1;
+  ASSERT_TRUE(show.panel->show(0, {}).ok());
+  ASSERT_TRUE(show.panel->wait_for_vblank().ok());
+  EXPECT_EQ(show.displayed(), Bytes(buffer.begin(), buffer.end()));
+  EXPECT_EQ(show.panel->counters().rejected, 1U);
+  EXPECT_EQ(show.panel->counters().whole, 2U);
+}
+
+TEST(HidLink, BelievesNoNumberThatWasNeverSent) {
+  Show show(hal::sim::paletted(64, 48, 8));
+  int told = 0;
+  show.wire.forge = [&told](Bytes& report) {
+    if (report[0] == static_cast<std::uint8_t>(hal::hid::ReportType::status) && ++told % 2 == 0)
+      report[3] ^= 0x10;
+  };
+  show.wire.fate = [](Direction, std::uint64_t n) { return n % 30U == 29U ? Fate::lost : Fate::arrives; };
+  show.open();
+  show.run(60);
+  EXPECT_EQ(show.panel->counters().rejected, 0U);
+}
+
+TEST(HidLink, BelievesNoVerdictOnAnotherFrame) {
+  Show show(scan_out());
+  show.open();
+  show.run(2);
+  // The device says "accepted", but of the frame before.
+  show.wire.forge = [](Bytes& report) {
+    if (report[0] == static_cast<std::uint8_t>(hal::hid::ReportType::status)) report[8] = 1;
+  };
+  EXPECT_EQ(show.frame().error(), Error::bus);
+  show.wire.forge = nullptr;
+  show.run(2);
+}
+
 TEST(HidLink, NeverHasMoreReportsOnTheWayThanTheDeviceAllows) {
   for (const int window : {1, 3, 16}) {
     Show show(scan_out(), {}, {.report_bytes = 64, .window = window});
@@ -235,6 +335,14 @@ TEST(HidLink, DrivesPanelsWithMemoryOfTheirOwn) {
     show.open();
     show.run(60);
   }
+}
+
+TEST(HidLink, SendsAllAgainWhereColoursAreAppliedOnTheWay) {
+  PanelSpec spec = write_panel(24, 16, 8, 1, 1);
+  spec.capabilities.palette_on_write = true;
+  Show show(spec);
+  show.open();
+  show.run(60);
 }
 
 TEST(HidLink, TellsFixedColours) {

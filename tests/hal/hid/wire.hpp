@@ -39,6 +39,8 @@ class Wire final : public hal::hid::ReportPort {
   std::function<void(const Bytes&)> witness;
   /// Called with each report that leaves the device.
   std::function<void(const Bytes&)> answers;
+  /// Changes a report that leaves the device.
+  std::function<void(Bytes&)> forge;
   /// The device does nothing until this time.
   hal::Nanoseconds stalled_until = 0;
   /// The cable is pulled when so many reports have been sent, and plugged in again after a while.
@@ -127,6 +129,7 @@ class Wire final : public hal::hid::ReportPort {
     Bytes report(device_->report_bytes());
     while (plugged_ && device_->next(report) != 0) {
       if (answers) answers(report);
+      if (forge) forge(report);
       carry(Direction::to_host, report);
     }
   }

@@ -14,7 +14,7 @@ using namespace hal::hid;
 using Bytes = std::vector<std::uint8_t>;
 
 class HidDevice : public testing::Test {
- protected:
+ public:
   static constexpr std::uint32_t nonce = 0x1205;
 
   void give(ReportType type, std::span<const std::uint8_t> payload, std::uint16_t sequence = 0,

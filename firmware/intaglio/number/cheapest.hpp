@@ -82,7 +82,7 @@ template <std::size_t N, std::size_t Rows>
   for (const MeasuredCost& row : costs) {
     if (row.rung != rungs[0]) continue;
     std::size_t size = 0;
-    for (const MeasuredCost& other : costs) size += other.family == row.family ? 1 : 0;
+    for (const MeasuredCost& other : costs) size += other.family == row.family ? 1U : 0U;
     for (const std::string_view rung : rungs) {
       if (cost_of(row.family, rung, core, costs) < 0) size = Rows + 1;
     }

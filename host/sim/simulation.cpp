@@ -227,11 +227,11 @@ int interval_of(const Options& options, const hal::Capabilities& panel) {
 void list_all(std::ostream& out) {
   out << "Programs:\n";
   for (const Program& program : programs())
-    out << fmt::format("  {:12}{}\n", program.name, program.description);
+    out << fmt::format("  {:17}{}\n", program.name, program.description);
   out << "\nPanels:\n";
   for (const hal::sim::PanelSpec& panel : hal::sim::catalog()) {
     const hal::Capabilities& c = panel.capabilities;
-    out << fmt::format("  {:12}{}x{}x{}: {}\n", panel.name, c.width, c.height, c.bits_per_pixel,
+    out << fmt::format("  {:17}{}x{}x{}: {}\n", panel.name, c.width, c.height, c.bits_per_pixel,
                        panel.description);
   }
   out << "  WxHxB     any size, B bits a pixel (1, 2, 4, 8): paletted, double buffered\n"
@@ -247,7 +247,7 @@ void list_all(std::ostream& out) {
       if (!value.empty())
         values += fmt::format("{}{} {}", values.empty() ? "" : "; ", hal::sim::effect_help()[i].name, value);
     }
-    out << fmt::format("  {:12}{}\n", panel.name, values);
+    out << fmt::format("  {:17}{}\n", panel.name, values);
   }
 }
 

@@ -234,7 +234,7 @@ void list_all(std::ostream& out) {
     out << fmt::format("  {:17}{}x{}x{}: {}\n", panel.name, c.width, c.height, c.bits_per_pixel,
                        panel.description);
   }
-  out << "  WxHxB     any size, B bits a pixel (1, 2, 4, 8): paletted, double buffered\n"
+  out << "  WxHxB            any size, B bits a pixel (1, 2, 4, 8): paletted, double buffered\n"
          "\nEffects (--effects; the panel is ideal otherwise):\n";
   for (const hal::sim::EffectHelp& effect : hal::sim::effect_help())
     out << fmt::format("  {:10}{:32}{}\n", effect.name, effect.value, effect.does);

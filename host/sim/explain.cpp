@@ -58,6 +58,7 @@ class Report {
     std::string all = fmt::format("{} frames in {} of {}: {} torn, {} late, {} dropped.\n",
                                   timeline_.frames().size(), refreshes(timeline_.refreshes().size()),
                                   ms(panel_.frame_time()), torn_.size(), late, dropped);
+    if (timeline_.counts()) all += fmt::format("Frames: {}.\n", to_text(*timeline_.counts()));
     all += paragraphs;
     if (untold > 0) all += fmt::format("... and {} more.\n", untold);
     return all;
@@ -108,6 +109,10 @@ class Report {
   }
 
   [[nodiscard]] std::string drop(const FrameRecord& frame) const {
+    if (!frame.presented)
+      return fmt::format("Frame {} was dropped: due {} after the frame before, it was ready after {}. {}.\n",
+                         frame.number, ms(frame.deadline->length()), ms(frame.time - frame.deadline->begin),
+                         capital(made_of(frame)));
     return fmt::format(
         "Frame {} was dropped: it was asked for, but {} later, before its VBLANK, another frame was.\n",
         frame.number, ms(frame.presented->length()));
@@ -217,8 +222,14 @@ class Report {
 
 }  // namespace
 
+std::string to_text(const intaglio::present::FrameCounts& counts) {
+  return fmt::format("{} shown, {} of them late; {} dropped; {} showed the frame before again", counts.shown,
+                     counts.late, counts.dropped, refreshes(counts.repeated));
+}
+
 std::string explain(const Timeline& timeline, const std::vector<Tear>& tears, std::size_t most) {
-  return Report(timeline, tears).text(most);
+  const std::vector<Tear> of_frames = timeline.of_frames(tears);
+  return Report(timeline, of_frames).text(most);
 }
 
 }  // namespace host

@@ -10,8 +10,11 @@
 
 namespace host {
 
-/// A sentence of the whole run, then a paragraph for each frame that wasn't shown as it should be, up to
-/// `most` of them.
+/// As in "10 shown, 2 of them late; 1 dropped; 3 refreshes showed the frame before again".
+[[nodiscard]] std::string to_text(const intaglio::present::FrameCounts& counts);
+
+/// A sentence of the whole run, its counts if there are any, then a paragraph for each frame that wasn't
+/// shown as it should be, up to `most` of them.
 [[nodiscard]] std::string explain(const Timeline& timeline, const std::vector<hal::sim::Tear>& tears,
                                   std::size_t most = 20);
 

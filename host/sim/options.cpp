@@ -7,6 +7,8 @@ namespace host {
 
 std::variant<Options, int> parse_command_line(int argc, const char* const* argv) {
   Options options;
+  std::string late;
+  std::string order;
   CLI::App app{
       "Runs a program of Intaglio on a simulated panel, or on a real one.\n"
       "Where there is a display it opens a window, else on a terminal it shows a preview until a key is\n"
@@ -21,6 +23,15 @@ std::variant<Options, int> parse_command_line(int argc, const char* const* argv)
   app.add_option("--fps", options.frames_per_second, "Frames a second")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
+  app.add_option("--buffers", options.buffers,
+                 "Frame buffers of a scan-out panel; with 3 a frame is drawn while one waits for its VBLANK")
+      ->check(CLI::Range(1, 3));
+  app.add_option("--late", late,
+                 "A frame that comes too late is shown late, or dropped to keep the rhythm (default: show)")
+      ->check(CLI::IsMember({"show", "drop"}));
+  app.add_option("--order", order,
+                 "With --buffers 3: every frame is shown, or the latest at each VBLANK (default: every)")
+      ->check(CLI::IsMember({"every", "latest"}));
   CLI::Option* const png = app.add_option("--png", options.png, "Write the last frame to this file");
   app.add_option(
          "--png-of", options.png_of,
@@ -47,6 +58,10 @@ std::variant<Options, int> parse_command_line(int argc, const char* const* argv)
   try {
     app.parse(argc, argv);
     options.attach.panel = options.panel;
+    using intaglio::present::Late;
+    using intaglio::present::Order;
+    if (!late.empty()) options.late = late == "drop" ? Late::drop : Late::show;
+    if (!order.empty()) options.order = order == "latest" ? Order::latest : Order::every;
     if (options.program.empty() && !options.list && !options.list_panels)
       throw CLI::RequiredError("program (intaglio-sim --list names them)");
     if (options.terminal && options.digest)
@@ -56,6 +71,8 @@ std::variant<Options, int> parse_command_line(int argc, const char* const* argv)
         throw CLI::ValidationError("--window, --terminal, --png and --apng are for simulated panels");
       if (!options.effects.empty() || options.trace || options.explain)
         throw CLI::ValidationError("--effects, --trace and --explain are for simulated panels");
+      if (options.buffers || options.late || options.order)
+        throw CLI::ValidationError("--buffers, --late and --order are for simulated panels");
     } else if (options.report) {
       throw CLI::ValidationError("--report is for real panels");
     }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <host/attach/attach.hpp>
+#include <intaglio/present/pacer.hpp>
 
 #include <cstdint>
 #include <optional>
@@ -14,10 +15,13 @@ namespace host {
 
 struct Options {
   std::string program;
-  std::string panel = "clcd";            ///< A name of the catalogue or WxHxBPP, or a real panel's.
-  AttachOptions attach;                  ///< The real panel, with the name from `panel`.
-  std::optional<std::uint32_t> frames;   ///< None: until the user ends it, or 120 where nobody looks.
-  int frames_per_second = 60;            ///< 1..1000
+  std::string panel = "clcd";           ///< A name of the catalogue or WxHxBPP, or a real panel's.
+  AttachOptions attach;                 ///< The real panel, with the name from `panel`.
+  std::optional<std::uint32_t> frames;  ///< None: until the user ends it, or 120 where nobody looks.
+  int frames_per_second = 60;           ///< 1..1000
+  std::optional<int> buffers;           ///< 1..3 of a scan-out panel; none: those it has by itself.
+  std::optional<intaglio::present::Late> late;
+  std::optional<intaglio::present::Order> order;
   std::optional<std::string> png;        ///< Where the last frame goes.
   std::optional<std::uint32_t> png_of;   ///< The frame or refresh that goes there instead.
   std::optional<std::string> animation;  ///< Where all frames go.

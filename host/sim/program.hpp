@@ -25,9 +25,12 @@ using OnDraw = std::function<void(std::uint32_t frame, bool begins)>;
 struct Program {
   std::string_view name;
   std::string_view description;
-  /// Runs `frames` frames, one every `interval` VBLANKs.
-  intaglio::Status (*run)(hal::Panel& panel, int interval, std::uint32_t frames, const OnFrame& on_frame,
-                          const OnDraw& on_draw);
+  /// Runs `frames` frames at this pace. `counts` says at every call of `on_frame`, and in the end, what
+  /// became of the frames so far. With three buffers the program draws ahead: `on_frame` is called when a
+  /// frame has been asked for, not when it is on display.
+  intaglio::Status (*run)(hal::Panel& panel, const intaglio::present::Pace& pace, std::uint32_t frames,
+                          const OnFrame& on_frame, const OnDraw& on_draw,
+                          intaglio::present::FrameCounts& counts);
 };
 
 /// All programs, those a user is most likely to want first.
@@ -61,29 +64,62 @@ class Watched {
   std::uint32_t frame_ = 0;
 };
 
+/// True if a program draws the next frame while one waits for its VBLANK.
+[[nodiscard]] inline bool draws_ahead(const hal::Capabilities& panel) { return panel.buffers >= 3; }
+
+/// A swap chain that makes a program wait for its frame to be shown only if there is no buffer to draw ahead
+/// in.
+template <intaglio::image::PixelFormat F>
+class SwapScreen : public intaglio::present::SwapChain<F> {
+ public:
+  using intaglio::present::SwapChain<F>::SwapChain;
+
+  [[nodiscard]] intaglio::Status wait_until_shown() noexcept {
+    return draws_ahead(this->control().panel().capabilities()) ? intaglio::Status{} : settle();
+  }
+  [[nodiscard]] intaglio::Status settle() noexcept {
+    return intaglio::present::SwapChain<F>::wait_until_shown();
+  }
+};
+
+/// `Program::run` on a screen.
+template <class App, class Screen>
+intaglio::Status run_on_screen(App& app, Screen& screen, std::uint32_t frames, const OnFrame& on_frame,
+                               intaglio::present::FrameCounts& counts) {
+  return intaglio::present::run(app, screen, frames, [&](std::uint32_t frame, std::uint32_t digest) {
+    counts = screen.counts();
+    return on_frame(frame, digest);
+  });
+}
+
 /// `Program::run` for panels of one pixel format.
 template <class App, intaglio::image::PixelFormat F>
-intaglio::Status run_in_format(hal::Panel& panel, int interval, std::uint32_t frames, const OnFrame& on_frame,
-                               const OnDraw& on_draw) {
+intaglio::Status run_in_format(hal::Panel& panel, const intaglio::present::Pace& pace, std::uint32_t frames,
+                               const OnFrame& on_frame, const OnDraw& on_draw,
+                               intaglio::present::FrameCounts& counts) {
   Watched<App> app(intaglio::present::screen_info(panel.capabilities()), on_draw);
   if (panel.capabilities().buffers > 0) {
-    intaglio::present::SwapChain<F> screen(panel, interval);
-    return intaglio::present::run(app, screen, frames, on_frame);
+    SwapScreen<F> screen(panel, pace);
+    intaglio::Status s = run_on_screen(app, screen, frames, on_frame, counts);
+    if (s.ok()) s = screen.settle();
+    counts = screen.counts();
+    return s;
   }
   const hal::Capabilities& c = panel.capabilities();
   std::vector<std::uint8_t> memory(
       static_cast<std::size_t>(intaglio::present::FrameWriter<F>::memory_for({c.width, c.height})));
-  intaglio::present::FrameWriter<F> screen(panel, memory, interval);
-  return intaglio::present::run(app, screen, frames, on_frame);
+  intaglio::present::FrameWriter<F> screen(panel, memory, pace);
+  return run_on_screen(app, screen, frames, on_frame, counts);
 }
 
 /// `Program::run` of a class template over the pixel format.
 template <template <intaglio::image::PixelFormat> class App>
-intaglio::Status run_on_panel(hal::Panel& panel, int interval, std::uint32_t frames, const OnFrame& on_frame,
-                              const OnDraw& on_draw) {
+intaglio::Status run_on_panel(hal::Panel& panel, const intaglio::present::Pace& pace, std::uint32_t frames,
+                              const OnFrame& on_frame, const OnDraw& on_draw,
+                              intaglio::present::FrameCounts& counts) {
   namespace image = intaglio::image;
   const auto run = [&]<class F>(F) {
-    return run_in_format<App<F>, F>(panel, interval, frames, on_frame, on_draw);
+    return run_in_format<App<F>, F>(panel, pace, frames, on_frame, on_draw, counts);
   };
   const bool lsb = panel.capabilities().bit_order == hal::BitOrder::lsb_first;
   switch (panel.capabilities().bits_per_pixel) {

@@ -39,7 +39,8 @@ void run_on_real_panel(const Options& options) {
     return !interrupted();
   };
   const std::uint32_t frames = options.frames.value_or(std::numeric_limits<std::uint32_t>::max());
-  const intaglio::Status status = program.run(panel, interval, frames, on_frame, {});
+  intaglio::present::FrameCounts counts;
+  const intaglio::Status status = program.run(panel, interval, frames, on_frame, {}, counts);
   tell();
   const std::string counters = panel.counters() + attached->counters();
   if (options.report && !(std::ofstream(*options.report) << counters).flush())

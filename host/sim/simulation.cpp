@@ -44,14 +44,49 @@ hal::sim::PanelSpec panel_of(const Options& options) {
         fmt::format("no panel '{}': give a name of --list, or WIDTHxHEIGHTxBITS with sides of "
                     "1 to 16384 and 1, 2, 4 or 8 bits; real panels need wires (--spi, --i2c, --bitbang)",
                     options.panel));
-  return *spec;
+  hal::sim::PanelSpec panel = *spec;
+  if (options.buffers) {
+    if (panel.capabilities.buffers == 0)
+      throw Failure(
+          fmt::format("--buffers: {} has memory of its own, which frames are sent to", options.panel));
+    panel.capabilities.buffers = *options.buffers;
+  }
+  return panel;
+}
+
+intaglio::present::Pace pace_of(const Options& options, const hal::sim::PanelSpec& panel,
+                                const hal::sim::Effects& effects) {
+  using intaglio::present::Late;
+  using intaglio::present::Order;
+  const intaglio::present::Pace pace(interval_of(options, panel.capabilities),
+                                     options.late.value_or(Late::show), options.order.value_or(Order::every));
+  if (pace.late == Late::drop && panel.capabilities.buffers == 1)
+    throw Failure("--late drop: with one buffer a frame is on display while it is drawn");
+  if (options.order && panel.capabilities.buffers == 0)
+    throw Failure(
+        fmt::format("--order: {} has memory of its own, where no frame waits for its VBLANK", options.panel));
+  if (pace.order == Order::every) return pace;
+  if (!draws_ahead(panel.capabilities))
+    throw Failure("--order latest: needs --buffers 3, or nothing is drawn while a frame waits");
+  if (pace.late == Late::drop)
+    throw Failure("--order latest: a frame is replaced by the latest, so none is dropped for being late");
+  if (pace.interval != 1)
+    throw Failure(fmt::format("--order latest: a frame at every VBLANK, so --fps can't be {}",
+                              options.frames_per_second));
+  if (!effects.draw || effects.draw->least == 0)
+    throw Failure(
+        "--order latest: needs --effects draw=TIME, or all frames are drawn before the first VBLANK");
+  return pace;
 }
 
 hal::sim::Effects effects_of(const Options& options, const hal::sim::PanelSpec& panel) {
   const auto parsed = hal::sim::parse_effects(options.effects, panel);
   if (const std::string* const wrong = std::get_if<std::string>(&parsed))
     throw Failure("--effects: " + *wrong + "; intaglio-sim --list names them");
-  return std::get<hal::sim::Effects>(parsed);
+  hal::sim::Effects effects = std::get<hal::sim::Effects>(parsed);
+  // Which frame is on display isn't known when the next one is drawn: a picture is what the beam fetched.
+  if (draws_ahead(panel.capabilities)) effects.tearing = true;
+  return effects;
 }
 
 std::unique_ptr<Viewer> viewer_of(const Options& options, const hal::sim::Glass& glass) {
@@ -74,11 +109,13 @@ class Simulation {
         effects_(effects_of(options, panel_of(options))),
         panel_(panel_of(options), clock_, effects_),
         glass_(panel_, effects_),
-        interval_(interval_of(options, panel_.capabilities())),
+        pace_(pace_of(options, panel_.spec(), effects_)),
         animation_path_(animation_path(options)) {
     if (panel_.capabilities().buffers > 0 || effects_.tearing || options.explain || options.trace)
       tearing_.emplace(panel_);
-    if (options.explain || options.trace) timeline_.emplace(panel_, clock_, interval_);
+    // Where frames are dropped, the timeline knows which ones the panel was asked for.
+    if (options.explain || options.trace || pace_.late == intaglio::present::Late::drop)
+      timeline_.emplace(panel_, clock_, pace_.interval);
     if (glass_.by_refresh()) glass_.on_refresh([this] { take_picture(); });
     pictures_per_second_ = options.frames_per_second;
     if (glass_.by_refresh())
@@ -101,9 +138,10 @@ class Simulation {
     watch_for_interruption(SecondSignal::ends_at_once);
     start_ = std::chrono::steady_clock::now();
     const intaglio::Status status = program_.run(
-        panel_, interval_, frames_,
+        panel_, pace_, frames_,
         [this](std::uint32_t frame, std::uint32_t digest) { return on_frame(frame, digest); },
-        [this](std::uint32_t frame, bool begins) { on_draw(frame, begins); });
+        [this](std::uint32_t frame, bool begins) { on_draw(frame, begins); }, counts_);
+    if (timeline_) timeline_->set_counts(counts_);
     // Until the last frame has been seen in a whole refresh.
     if (glass_.by_refresh() || timeline_) clock_.advance(2U * panel_.frame_time());
     viewer_.reset();
@@ -112,16 +150,29 @@ class Simulation {
       throw Failure(fmt::format("{} failed: {} {}", options_.program, intaglio::to_text(status.argument()),
                                 intaglio::to_text(status.error())));
     report();
+    if (!options_.explain && (options_.buffers || options_.late || options_.order))
+      fmt::print(options_.digest ? stderr : stdout, "Frames: {}.\n", to_text(counts_));
     finish_files();
   }
 
  private:
   bool on_frame(std::uint32_t frame, std::uint32_t digest) {
     if (options_.digest) fmt::print("frame {} crc32 {:08x}\n", frame, digest);
-    if (panel_.capabilities().buffers == 0) panel_.mark_frame();
+    if (dropped_as_late()) {
+      if (timeline_) timeline_->drop();
+    } else if (panel_.capabilities().buffers == 0) {
+      panel_.mark_frame();
+    }
     if (!glass_.by_refresh()) take_picture();
     if (show_progress_) fmt::print(stderr, "\rrecording frame {} of {}", frame + 1, frames_);
     return !interrupted() && !closed_;
+  }
+
+  /// True if the frame just told of isn't shown.
+  bool dropped_as_late() {
+    const bool dropped = pace_.order == intaglio::present::Order::every && counts_.dropped != dropped_before_;
+    dropped_before_ = counts_.dropped;
+    return dropped;
   }
 
   void on_draw(std::uint32_t frame, bool begins) {
@@ -142,7 +193,8 @@ class Simulation {
       return;
     }
     constexpr std::size_t most = 5;
-    const std::vector<hal::sim::Tear>& tears = tearing_->tears();
+    const std::vector<hal::sim::Tear> tears =
+        timeline_ ? timeline_->of_frames(tearing_->tears()) : tearing_->tears();
     for (std::size_t i = 0; i < std::min(tears.size(), most); ++i)
       fmt::print(stderr, "torn picture: {}\n", hal::sim::to_text(tears[i], 0));
     if (tears.size() > most) fmt::print(stderr, "... and {} more\n", tears.size() - most);
@@ -191,7 +243,9 @@ class Simulation {
   hal::sim::Effects effects_;
   hal::sim::Panel panel_;
   hal::sim::Glass glass_;
-  int interval_;
+  intaglio::present::Pace pace_;
+  intaglio::present::FrameCounts counts_;
+  std::uint32_t dropped_before_ = 0;
   /// A write panel tears by its nature: it shows what has arrived. It is watched only if asked for.
   std::optional<hal::sim::TearingDetector> tearing_;
   std::optional<Timeline> timeline_;

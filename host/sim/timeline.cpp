@@ -24,7 +24,28 @@ void Timeline::draw_begins(std::uint32_t frame) {
 void Timeline::draw_ends() { frames_.back().draw->end = clock_->now(); }
 
 FrameRecord* Timeline::frame_of(std::uint32_t number) {
-  return number == 0 || number > frames_.size() ? nullptr : &frames_[number - 1U];
+  if (number == 0 || number > requested_.size()) return nullptr;
+  const std::uint32_t frame = requested_[number - 1U];
+  return frame < frames_.size() ? &frames_[frame] : nullptr;
+}
+
+std::vector<hal::sim::Tear> Timeline::of_frames(std::vector<hal::sim::Tear> tears) const {
+  const auto rename = [this](std::optional<std::uint32_t>& number) {
+    if (number && *number > 0 && *number <= requested_.size()) number = requested_[*number - 1U] + 1U;
+  };
+  for (hal::sim::Tear& tear : tears) {
+    rename(tear.above);
+    rename(tear.below);
+  }
+  return tears;
+}
+
+void Timeline::drop() {
+  FrameRecord& frame = frames_.back();
+  frame.dropped = true;
+  frame.time = clock_->now();
+  frame.deadline = Span{beginning(), beginning() + budget()};
+  ++late_drops_;
 }
 
 void Timeline::on_line(const hal::sim::ScannedLine& line) {
@@ -43,6 +64,12 @@ void Timeline::on_vblank(std::uint64_t refresh, hal::Nanoseconds time) {
 void Timeline::on_te(std::uint64_t /*refresh*/, hal::Nanoseconds time) { te_edges_.push_back(time); }
 
 void Timeline::on_presented(const hal::sim::PresentedFrame& frame) {
+  // Whoever draws ahead requests a frame before the next is begun, so it is the one drawn last.
+  if (frame.number == requested_.size() + 1U) {
+    const auto drawn = static_cast<std::uint32_t>(frames_.size());
+    const std::uint32_t before = requested_.empty() ? 0 : requested_.back() + 1U;
+    requested_.push_back(drawn > before ? drawn - 1U : before);
+  }
   // Also told of colours loaded for the frame on display.
   FrameRecord* const record = frame_of(frame.number);
   if (record == nullptr || record->presented) return;
@@ -78,15 +105,16 @@ void Timeline::appear(FrameRecord& frame, std::uint32_t vblank, hal::Nanoseconds
   frame.vblank = vblank;
   frame.time = time;
   if (last_vblank_) {
-    const auto interval = static_cast<std::uint32_t>(interval_);
+    const std::uint32_t interval = static_cast<std::uint32_t>(interval_) * (1U + late_drops_);
     const std::uint32_t passed = vblank - *last_vblank_;
     frame.late = passed > interval ? passed - interval : 0;
     // An edge of VBLANK may come a little early, by jitter or drift, and the frame is still in time.
-    const hal::Nanoseconds due = last_time_ + interval * panel_->frame_time();
-    frame.deadline = Span{last_time_, frame.late > 0 ? due : std::min(due, time)};
+    const hal::Nanoseconds due = beginning() + budget();
+    frame.deadline = Span{beginning(), frame.late > 0 ? due : std::min(due, time)};
   }
   last_vblank_ = vblank;
   last_time_ = time;
+  late_drops_ = 0;
 }
 
 }  // namespace host

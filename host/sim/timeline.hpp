@@ -3,12 +3,14 @@
 // What happened when on a simulated panel: the record that --trace writes and --explain reads.
 //
 // Rule: all times are the panel's virtual ones. Frames are those of the program, counted from 0; the panel
-// counts requests from 1. A frame is due `interval` refreshes after the frame before appeared. It appears at
-// the VBLANK that swaps it in; on a write panel when its first byte is sent.
+// counts requests from 1, and a frame dropped because it is late isn't requested. A frame is due `interval`
+// refreshes after the frame before appeared or, if that was dropped as late, was due. It appears at the
+// VBLANK that swaps it in; on a write panel when its first byte is sent.
 #pragma once
 
 #include <hal/sim/panel.hpp>
 #include <hal/sim/tearing.hpp>
+#include <intaglio/present/pacer.hpp>
 
 #include <cstdint>
 #include <optional>
@@ -31,11 +33,12 @@ struct FrameRecord {
   std::uint64_t bytes = 0;        ///< On the bus.
   std::optional<Span> presented;  ///< From the request until it was on display, or sent, or dropped.
   bool appeared = false;
-  bool dropped = false;
-  std::uint32_t vblank = 0;      ///< At which it appeared.
-  hal::Nanoseconds time = 0;     ///< When it appeared.
-  std::uint32_t late = 0;        ///< Refreshes after it was due.
-  std::optional<Span> deadline;  ///< From when the frame before appeared to when it was due.
+  bool dropped = false;       ///< It was never requested, being late, or was replaced.
+  std::uint32_t vblank = 0;   ///< At which it appeared.
+  hal::Nanoseconds time = 0;  ///< When it appeared.
+  std::uint32_t late = 0;     ///< Refreshes after it was due.
+  std::optional<Span>
+      deadline;  ///< From when the frame before appeared, or was due, to when this one was due.
 };
 
 /// One refresh: from its first line to its VBLANK; `blanking` to the next one's first line.
@@ -56,12 +59,20 @@ class Timeline final : private hal::sim::Observer {
   /// Drawing of a frame, or of a band of it, begins or ends now.
   void draw_begins(std::uint32_t frame);
   void draw_ends();
+  /// The frame drawn last is too late, and isn't shown.
+  void drop();
+  /// What became of all frames, as `present` counts it.
+  void set_counts(const intaglio::present::FrameCounts& counts) { counts_ = counts; }
 
+  [[nodiscard]] const std::optional<intaglio::present::FrameCounts>& counts() const { return counts_; }
+  /// The same with frames of the program, counted from 1, in place of the panel's requests.
+  [[nodiscard]] std::vector<hal::sim::Tear> of_frames(std::vector<hal::sim::Tear> tears) const;
   [[nodiscard]] const std::vector<FrameRecord>& frames() const { return frames_; }
   [[nodiscard]] const std::vector<RefreshRecord>& refreshes() const { return refreshes_; }
   /// The edges that told the program of VBLANKs; empty where the scenario has no such line.
   [[nodiscard]] const std::vector<hal::Nanoseconds>& te_edges() const { return te_edges_; }
   [[nodiscard]] hal::sim::Panel& panel() const { return *panel_; }
+  [[nodiscard]] hal::Nanoseconds now() const { return clock_->now(); }
   /// The time a frame has.
   [[nodiscard]] hal::Nanoseconds budget() const {
     return static_cast<hal::Nanoseconds>(interval_) * panel_->frame_time();
@@ -77,6 +88,8 @@ class Timeline final : private hal::sim::Observer {
   void on_presented(const hal::sim::PresentedFrame& frame) override;
 
   void appear(FrameRecord& frame, std::uint32_t vblank, hal::Nanoseconds time);
+  /// When the frame before appeared, or was due if it was dropped as late.
+  [[nodiscard]] hal::Nanoseconds beginning() const { return last_time_ + late_drops_ * budget(); }
   /// The frame that the panel counts as `number`, or none: what was there at the start.
   FrameRecord* frame_of(std::uint32_t number);
 
@@ -84,11 +97,14 @@ class Timeline final : private hal::sim::Observer {
   hal::Clock* clock_;
   int interval_;
   std::vector<FrameRecord> frames_;
+  std::vector<std::uint32_t> requested_;  // Frames, by the panel's number less 1.
+  std::optional<intaglio::present::FrameCounts> counts_;
   std::vector<RefreshRecord> refreshes_;
   std::vector<hal::Nanoseconds> te_edges_;
   std::optional<std::uint32_t> last_vblank_;
   hal::Nanoseconds last_time_ = 0;
   std::uint32_t vblanks_ = 0;
+  std::uint32_t late_drops_ = 0;  // Since a frame appeared.
 };
 
 }  // namespace host

@@ -67,8 +67,10 @@ void add_frame(Events& events, const FrameRecord& frame) {
   if (frame.draw) events.slice(Track::draw, *frame.draw, "draw " + number, argument);
   if (frame.presented) {
     events.slice(Track::present, *frame.presented, "present " + number, argument);
-    if (frame.dropped) events.instant(Track::present, frame.presented->end, "dropped " + number, argument);
   }
+  if (frame.dropped)
+    events.instant(Track::present, frame.presented ? frame.presented->end : frame.time, "dropped " + number,
+                   argument);
   if (frame.appeared) events.instant(Track::present, frame.time, "shown " + number, argument);
   for (const Span& transfer : frame.transfers) events.slice(Track::bus, transfer, "send " + number, argument);
   if (!frame.deadline) return;
@@ -81,7 +83,8 @@ void add_frame(Events& events, const FrameRecord& frame) {
 }  // namespace
 
 void write_trace(const std::string& path, const Timeline& timeline,
-                 const std::vector<hal::sim::Tear>& tears) {
+                 const std::vector<hal::sim::Tear>& requested) {
+  const std::vector<hal::sim::Tear> tears = timeline.of_frames(requested);
   Events events;
   for (const FrameRecord& frame : timeline.frames()) add_frame(events, frame);
   for (const RefreshRecord& refresh : timeline.refreshes()) {
@@ -96,6 +99,10 @@ void write_trace(const std::string& path, const Timeline& timeline,
             fmt::format(R"({},"line":{},"what":"{}")", argument, tear.line, hal::sim::to_text(tear, 0)));
   }
   for (const hal::Nanoseconds edge : timeline.te_edges()) events.instant(Track::vblank, edge, "TE");
+  if (const auto& counts = timeline.counts())
+    events.instant(Track::present, timeline.now(), "counts",
+                   fmt::format(R"("shown":{},"late":{},"dropped":{},"repeated":{})", counts->shown,
+                               counts->late, counts->dropped, counts->repeated));
 
   std::ofstream file(path, std::ios::trunc);
   file << R"({"displayTimeUnit":"ms","traceEvents":[)" << '\n';

@@ -38,11 +38,23 @@ TEST(SimOptions, BadOnesEndWithAnErrorCode) {
            {"gauges", "map"},
            {"gauges", "--window", "--terminal"},
            {"gauges", "--digest", "--terminal"},
+           {"gauges", "--buffers", "0"},
+           {"gauges", "--late", "1"},
+           {"gauges", "--order", "first"},
        }) {
     const auto parsed = parse(words);
     ASSERT_TRUE(std::holds_alternative<int>(parsed));
     EXPECT_NE(std::get<int>(parsed), 0);
   }
+}
+
+TEST(SimOptions, NamesOfThePaceAreThoseOfPresent) {
+  const auto parsed = parse({"gauges", "--buffers", "3", "--late", "drop", "--order", "latest"});
+  ASSERT_TRUE(std::holds_alternative<Options>(parsed));
+  const Options& options = std::get<Options>(parsed);
+  EXPECT_EQ(options.buffers, 3);
+  EXPECT_EQ(options.late, intaglio::present::Late::drop);
+  EXPECT_EQ(options.order, intaglio::present::Order::latest);
 }
 
 TEST(SimOptions, HelpIsNoError) {
@@ -74,8 +86,8 @@ TEST(SimOptions, WiresAndSchemesMeanARealPanel) {
 }
 
 TEST(SimOptions, WhatIsForSimulatedPanelsIsRefusedOnRealOnes) {
-  for (const char* const option :
-       {"--window", "--terminal", "--png=a", "--apng=a", "--effects=te", "--trace=a", "--explain"})
+  for (const char* const option : {"--window", "--terminal", "--png=a", "--apng=a", "--effects=te",
+                                   "--trace=a", "--explain", "--buffers=2", "--late=show", "--order=every"})
     EXPECT_TRUE(std::holds_alternative<int>(parse({"gauges", "--panel", "fb:/dev/fb0", option}))) << option;
   for (const char* const option :
        {"--report=a", "--rotate=45", "--address=0x80", "--spi-mode=4", "--contrast=256"})

@@ -191,23 +191,66 @@ template <class Screen>
 void expect_counters_agree(Stage& stage, Screen& screen) {
   oracle::Random random(61);
   Slow program(stage, random);
+  std::uint32_t dropped = 0;
   const auto on_frame = [&](std::uint32_t) {
-    if (stage.panel.capabilities().buffers == 0) stage.panel.mark_frame();
+    if (screen.counts().dropped != dropped) {
+      stage.timeline.drop();
+    } else if (stage.panel.capabilities().buffers == 0) {
+      stage.panel.mark_frame();
+    }
+    dropped = screen.counts().dropped;
   };
   ASSERT_TRUE(intaglio::present::run(program, screen, 200, on_frame).ok());
   const auto& frames = stage.timeline.frames();
   ASSERT_EQ(frames.size(), 200U);
   const auto late = std::ranges::count_if(frames, [](const FrameRecord& frame) { return frame.late > 0; });
-  EXPECT_EQ(static_cast<std::uint32_t>(late), screen.missed_deadlines());
+  EXPECT_EQ(static_cast<std::uint32_t>(late), screen.counts().late);
+  EXPECT_EQ(std::ranges::count_if(frames, &FrameRecord::dropped), screen.counts().dropped);
   EXPECT_GT(late, 20);
   EXPECT_LT(late, 180);
-  for (const FrameRecord& frame : frames) EXPECT_TRUE(frame.appeared && frame.draw && frame.presented);
+  for (const FrameRecord& frame : frames) {
+    EXPECT_NE(frame.appeared, frame.dropped);
+    EXPECT_TRUE(frame.draw && frame.presented.has_value() == frame.appeared);
+  }
 }
 
 TEST(Timeline, CountsTheLateFramesThatTheSwapChainCounts) {
   Stage stage(2);
   intaglio::present::SwapChain<intaglio::image::Indexed8> screen(stage.panel);
   expect_counters_agree(stage, screen);
+}
+
+TEST(Timeline, CountsTheDroppedFramesThatTheSwapChainCounts) {
+  Stage stage(2);
+  intaglio::present::SwapChain<intaglio::image::Indexed8> screen(stage.panel,
+                                                                 {1, intaglio::present::Late::drop});
+  expect_counters_agree(stage, screen);
+  EXPECT_GT(screen.counts().dropped, 20U);
+}
+
+TEST(Timeline, CountsTheDroppedFramesThatTheFrameWriterCounts) {
+  Stage stage(0);
+  Bytes memory(32U * 240U);
+  intaglio::present::FrameWriter<intaglio::image::Indexed8> screen(stage.panel, memory,
+                                                                   {1, intaglio::present::Late::drop});
+  expect_counters_agree(stage, screen);
+  EXPECT_GT(screen.counts().dropped, 20U);
+}
+
+TEST(Timeline, NamesTornFramesAsTheProgramDoesWhereSomeWereDropped) {
+  Stage stage(2);
+  stage.draw(0, 0);
+  stage.show(0);
+  stage.draw(1, 0);
+  stage.timeline.drop();
+  stage.draw(2, 0);
+  stage.show(2);
+  hal::sim::Tear tear;
+  tear.above = 0;
+  tear.below = 2;
+  const auto named = stage.timeline.of_frames({tear});
+  EXPECT_EQ(named[0].above, 0U);
+  EXPECT_EQ(named[0].below, 3U);
 }
 
 TEST(Timeline, CountsTheLateFramesThatTheFrameWriterCounts) {

@@ -79,6 +79,11 @@ void TearingDetector::on_presented(const PresentedFrame& frame) {
   if (versions_.size() > versions_kept) versions_.pop_front();
 }
 
+void TearingDetector::on_dropped(std::uint32_t frame, Nanoseconds /*time*/) {
+  // Nobody saw it, and many such in succession mustn't push out the one on display.
+  std::erase_if(versions_, [frame](const Version& version) { return version.frame == frame; });
+}
+
 bool TearingDetector::whole(const Refresh& refresh) const {
   return refresh.palettes.size() == 1 && std::ranges::any_of(versions_, [&](const Version& version) {
            return refresh.palettes[0] == version.palette && refresh.pixels == version.pixels;

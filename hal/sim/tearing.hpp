@@ -76,6 +76,7 @@ class TearingDetector final : public Observer {
   void on_line(const ScannedLine& line) override;
   void on_vblank(std::uint64_t refresh, Nanoseconds time) override;
   void on_presented(const PresentedFrame& frame) override;
+  void on_dropped(std::uint32_t frame, Nanoseconds time) override;
 
   [[nodiscard]] bool whole(const Refresh& refresh) const;
   [[nodiscard]] bool same_pixels(const Refresh& refresh, const Version& version, int line) const;

@@ -5,10 +5,13 @@
 
 namespace hal::baremetal {
 
+namespace {
+constexpr std::uintptr_t control = 0xE000'E010;
+constexpr std::uintptr_t reload = 0xE000'E014;
+constexpr std::uintptr_t current = 0xE000'E018;
+}  // namespace
+
 void SysTick::start() noexcept {
-  constexpr std::uintptr_t control = 0xE000'E010;
-  constexpr std::uintptr_t reload = 0xE000'E014;
-  constexpr std::uintptr_t current = 0xE000'E018;
   constexpr std::uint32_t run_on_core_clock_with_interrupt = 7;
   write_register(reload, cycles_ - 1);
   write_register(current, 0);
@@ -19,6 +22,15 @@ void SysTick::on_interrupt() noexcept {
   const std::uint32_t low = ticks_low_ + 1;
   ticks_low_ = low;
   if (low == 0) ticks_high_ = ticks_high_ + 1;
+}
+
+std::uint32_t SysTick::cycles() const noexcept {
+  for (;;) {
+    const std::uint32_t ticks = ticks_low_;
+    const std::uint32_t left = read_register(current);
+    // At 0 a tick is due, and whether it has been counted isn't known.
+    if (left != 0 && ticks_low_ == ticks) return ticks * cycles_ + (cycles_ - left);
+  }
 }
 
 Nanoseconds SysTick::do_now() noexcept {

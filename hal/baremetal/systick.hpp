@@ -19,6 +19,8 @@ class SysTick final : public Clock {
       : cycles_(cycles), tick_length_(std::uint64_t{1'000'000'000} * cycles / hertz) {}
 
   void start() noexcept;
+  /// Cycles since the start, modulo 2^32, to the cycle. Interrupts must not be masked for a whole tick.
+  [[nodiscard]] std::uint32_t cycles() const noexcept;
   /// The handler of the SysTick exception.
   void on_interrupt() noexcept;
 

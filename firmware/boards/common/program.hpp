@@ -98,6 +98,32 @@ class TimedScreen {
   std::size_t count_ = 0;
 };
 
+/// Times each frame's work on a board whose panel tells its VBLANKs.
+template <class App, class Board>
+intaglio::Status time_work(App& app, Board& /*board*/, typename Board::Screen& screen,
+                           std::span<std::uint32_t> times) noexcept {
+  TimedScreen<Board> timed(screen, times);
+  const intaglio::Status s = intaglio::present::run(app, timed, static_cast<std::uint32_t>(times.size()));
+  hal::baremetal::unmask_interrupts();
+  return s;
+}
+
+/// The same on a write panel: from one frame sent to the next, without the clock that holds frames back. The
+/// interrupts of the clock are in it, for they are needed.
+template <class App, class Board>
+requires requires(Board& board) { board.screen_without_clock(); }
+intaglio::Status time_work(App& app, Board& board, typename Board::Screen& /*screen*/,
+                           std::span<std::uint32_t> times) noexcept {
+  auto screen = board.screen_without_clock();
+  std::uint32_t before = Board::time();
+  return intaglio::present::run(app, screen, static_cast<std::uint32_t>(times.size()),
+                                [&](std::uint32_t frame) {
+                                  const std::uint32_t now = Board::time();
+                                  times[frame] = now - before;
+                                  before = now;
+                                });
+}
+
 /// Shows `digest_frames` frames twice: first each frame's work is timed, then is counted how many VBLANKs
 /// each takes.
 template <template <class> class App, class Board>
@@ -110,9 +136,7 @@ template <template <class> class App, class Board>
   intaglio::Status s = intaglio::present::run(app, screen, 1);
   if (!s.ok()) report_failure(Board::serial(), s);
   std::array<std::uint32_t, digest_frames> times{};
-  TimedScreen<Board> timed(screen, times);
-  s = intaglio::present::run(app, timed, digest_frames);
-  hal::baremetal::unmask_interrupts();
+  s = time_work(app, board, screen, times);
   if (!s.ok()) report_failure(Board::serial(), s);
   report_work(Board::serial(), times);
 

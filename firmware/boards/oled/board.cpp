@@ -50,6 +50,7 @@ Board::Board() noexcept
       chip_select_(chip::gpio_d, 0),
       port_(bus_, data_command_),
       panel_(port_, &tick),
+      panel_without_clock_(port_),
       guard_(guard_of_frame()) {}
 
 bool Board::start() noexcept {
@@ -64,6 +65,8 @@ bool Board::start() noexcept {
 }
 
 Board::Screen Board::screen() noexcept { return {panel_, frame, guard_}; }
+Board::Screen Board::screen_without_clock() noexcept { return {panel_without_clock_, frame, guard_}; }
+std::uint32_t Board::time() noexcept { return tick.cycles(); }
 hal::baremetal::TextOutput& Board::serial() noexcept { return uart; }
 
 }  // namespace boards::oled

@@ -32,8 +32,12 @@ class Board {
   /// start.
   [[nodiscard]] bool start() noexcept;
   [[nodiscard]] Screen screen() noexcept;
+  /// The same without the clock: each frame is sent as soon as it is drawn.
+  [[nodiscard]] Screen screen_without_clock() noexcept;
   /// Ticks of the frame clock so far.
   [[nodiscard]] std::uint32_t vblanks() noexcept { return panel_.vblank_count(); }
+  /// Cycles of the core; wraps.
+  [[nodiscard]] static std::uint32_t time() noexcept;
   [[nodiscard]] static hal::baremetal::TextOutput& serial() noexcept;
 
  private:
@@ -42,6 +46,7 @@ class Board {
   hal::baremetal::Pl061Pin chip_select_;
   hal::panels::SpiPort port_;
   hal::panels::Ssd0323 panel_;
+  hal::panels::Ssd0323 panel_without_clock_;
   hal::baremetal::MemoryGuard guard_;
 };
 

@@ -2,7 +2,7 @@
 #include <hal/sim/catalog.hpp>
 #include <hal/sim/panel.hpp>
 #include <host/attach/metered_panel.hpp>
-#include <host/sim/program.hpp>
+#include <tests/host/attach/test_card.hpp>
 
 #include <gtest/gtest.h>
 
@@ -13,12 +13,11 @@ std::string counters_of(const char* panel_name, int interval, hal::Nanoseconds p
   hal::sim::VirtualClock clock;
   hal::sim::Panel panel(*hal::sim::find_panel(panel_name), clock);
   host::MeteredPanel metered(panel, interval);
-  const auto on_frame = [&](std::uint32_t frame, std::uint32_t) {
+  const auto on_frame = [&](std::uint32_t frame) {
     metered.frame_shown();
     if (frame == 10) clock.advance(pause);
-    return true;
   };
-  EXPECT_TRUE(host::find_program("testcard")->run(metered, interval, 20, on_frame, {}).ok());
+  EXPECT_TRUE(host::run_test_card(metered, interval, 20, on_frame).ok());
   return metered.counters();
 }
 

@@ -9,9 +9,9 @@
 #include <hal/sim/panel.hpp>
 #include <host/attach/attach.hpp>
 #include <host/failure.hpp>
-#include <host/sim/program.hpp>
 #include <tests/hal/linux/fake_gpio.hpp>
 #include <tests/hal/linux/spi_decoder.hpp>
+#include <tests/host/attach/test_card.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -68,9 +68,7 @@ class Wired : public testing::Test {
 hal::mock::Pattern simulated(const char* panel_name, std::uint32_t frames) {
   hal::sim::VirtualClock clock;
   hal::sim::Panel panel(*hal::sim::find_panel(panel_name), clock);
-  EXPECT_TRUE(host::find_program("testcard")
-                  ->run(panel, 1, frames, [](std::uint32_t, std::uint32_t) { return true; }, {})
-                  .ok());
+  EXPECT_TRUE(host::run_test_card(panel, frames).ok());
   const hal::sim::Picture picture = panel.displayed();
   hal::mock::Pattern pattern = hal::mock::Pattern::blank(picture.width, picture.height);
   const int greys = (1 << panel.capabilities().bits_per_pixel) - 1;
@@ -85,9 +83,7 @@ void shows_what_the_simulator_shows(Model& model, const char* real, const char* 
   constexpr std::uint32_t frames = 3;
   {
     const auto attached = host::attach(by_hand(real));
-    EXPECT_TRUE(host::find_program("testcard")
-                    ->run(attached->panel(), 1, frames, [](std::uint32_t, std::uint32_t) { return true; }, {})
-                    .ok());
+    EXPECT_TRUE(host::run_test_card(attached->panel(), frames).ok());
     EXPECT_TRUE(model.on());
     EXPECT_EQ(side_by_side(simulated(simulated_name, frames), model.displayed(), false), "");
   }
@@ -197,9 +193,7 @@ TEST_F(Wired, AChipPulledOutMidFrameEndsTheRunWithItsName) {
   const auto attached = host::attach(by_hand("ssd1306"));
   kernel().calls_left = 1000;
   kernel().error = ENODEV;
-  const intaglio::Status status =
-      host::find_program("testcard")
-          ->run(attached->panel(), 1, 5, [](std::uint32_t, std::uint32_t) { return true; }, {});
+  const intaglio::Status status = host::run_test_card(attached->panel(), 5);
   EXPECT_EQ(status.error(), intaglio::Error::device);
   EXPECT_THAT(attached->fault(), AllOf(HasSubstr("of gpiochip0"), HasSubstr("the device is gone")));
 }

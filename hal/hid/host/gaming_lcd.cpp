@@ -92,7 +92,7 @@ Keys LcdInput::do_poll() noexcept {
     if (got.size < device_->key_report_bytes || report[0] != device_->key_report) continue;
     Keys now;
     for (const LcdKey& key : device_->keys)
-      if ((report[key.byte] >> key.bit & 1U) != 0) now.press(key.key);
+      if ((static_cast<unsigned>(report[key.byte]) >> key.bit & 1U) != 0) now.press(key.key);
     if (device_->stick_x != 0) {
       // Half of the way from the middle counts.
       constexpr int low = 64;

@@ -238,7 +238,7 @@ Keys HidInput::do_poll() noexcept {
   link_->drain().ignore();
   Keys keys;
   for (unsigned key = 0; key <= static_cast<unsigned>(Key::back); ++key)
-    if ((link_->state().keys >> key & 1U) != 0) keys.press(static_cast<Key>(key));
+    if ((static_cast<unsigned>(link_->state().keys) >> key & 1U) != 0) keys.press(static_cast<Key>(key));
   return keys;
 }
 

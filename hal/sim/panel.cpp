@@ -13,6 +13,7 @@ namespace hal::sim {
 Panel::Panel(PanelSpec spec, VirtualClock& clock, const Effects& effects)
     : spec_(std::move(spec)), clock_(&clock), drift_(effects.drift) {
   Capabilities& c = spec_.capabilities;
+  c.refresh_millihertz = std::max(c.refresh_millihertz, 1U);
   c.fixed_palette = spec_.fixed_colours;
   if (effects.scan) c.scan = *effects.scan;
   if (effects.bus) bus_.emplace(*effects.bus, c);
@@ -20,8 +21,11 @@ Panel::Panel(PanelSpec spec, VirtualClock& clock, const Effects& effects)
   if (effects.latch) palette_latch_ = *effects.latch;
   if (palette_latch_ == PaletteLatch::both_at_once) spec_.latch = Latch::at_once;
   set_times();
-  if (effects.te && effects.te->millihertz > 0)
-    nominal_frame_time_ = (1'000'000'000'000U + effects.te->millihertz / 2U) / effects.te->millihertz;
+  // Beside a program's own clock what is rounded off each line would add up to whole refreshes.
+  if (effects.te) {
+    const std::uint32_t rate = effects.te->millihertz > 0 ? effects.te->millihertz : c.refresh_millihertz;
+    nominal_frame_time_ = (1'000'000'000'000U + rate / 2U) / rate;
+  }
   stride_ = row_bytes(c.width, c.bits_per_pixel) + spec_.row_padding;
   const auto bytes = static_cast<std::size_t>(stride_) * static_cast<std::size_t>(c.height);
   buffers_.assign(static_cast<std::size_t>(std::max(c.buffers, 1)), std::vector<std::uint8_t>(bytes));

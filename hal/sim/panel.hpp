@@ -5,8 +5,9 @@
 // Rule: line i of refresh k is fetched i line times after the refresh began, from the buffer on display at
 // that moment, with the palette in effect at that moment. VBLANK begins when the line after the last would be
 // due; then a request of `show` takes effect, buffer and palette together. A write panel is scanned out of
-// its own memory in the same way; writes change it at once. Line time is rounded to whole nanoseconds, so the
-// refresh rate is met within one part in 10^4. Refresh k begins at k frame times.
+// its own memory in the same way; writes change it at once. Line time is rounded to whole nanoseconds, so
+// a refresh is off by up to half a nanosecond a line (4 parts in 10^6 with 240 lines), unless the scenario
+// has `te`: then it is the refresh that is rounded. Refresh k begins at k frame times. 0 mHz are taken for 1.
 //
 // A panel is ideal but for the effects that its scenario declares (effects/effects.hpp).
 #pragma once

@@ -24,6 +24,8 @@ std::string refreshes(std::uint64_t count) {
   return count == 1 ? "1 refresh" : fmt::format("{} refreshes", count);
 }
 
+const char* line_or_column(hal::ScanDirection scan) { return hal::sim::by_columns(scan) ? "column" : "line"; }
+
 Span whole(const std::vector<Span>& spans) { return {spans.front().begin, spans.back().end}; }
 
 /// A run, looked at frame by frame.
@@ -137,9 +139,10 @@ class Report {
       text += fmt::format(
           " Sending the frame before ({}) and drawing this one ({}) together take longer than a frame may.",
           ms(sending), ms(drawing));
-    } else if (frame.draw) {
-      text += fmt::format(" It was begun {} after the frame before appeared.",
-                          ms(frame.draw->begin - frame.deadline->begin));
+    } else if (frame.draw && frame.draw->begin >= frame.deadline->begin) {
+      text += fmt::format(" It was begun {} after the frame before {}.",
+                          ms(frame.draw->begin - frame.deadline->begin),
+                          before != nullptr && before->dropped ? "was due" : "appeared");
     }
     return text + '\n';
   }
@@ -155,7 +158,7 @@ class Report {
   }
   /// Which frames met, and where, as the beam goes.
   [[nodiscard]] static std::string met(const std::vector<const Tear*>& tears, const FrameRecord& frame) {
-    const char* const line = hal::sim::by_columns(tears.front()->scan) ? "column" : "line";
+    const char* const line = line_or_column(tears.front()->scan);
     const auto side = [&frame](std::optional<std::uint32_t> number) {
       return part(number ? std::optional(std::min(*number, frame.number + 1U)) : number);
     };
@@ -197,16 +200,24 @@ class Report {
   /// The race of a write panel's beam with its bus.
   [[nodiscard]] std::string race(const FrameRecord& frame, const RefreshRecord& refresh) const {
     const Span bus = whole(frame.transfers);
+    const hal::Capabilities& c = panel_.capabilities();
+    const bool abreast = c.scan == hal::ScanDirection::down;  // Pictures are sent row by row, downwards.
     std::string text =
         capital(made_of(frame)) + fmt::format(", a refresh takes {}. ", ms(panel_.frame_time()));
     if (bus.begin <= refresh.scan.begin) {
       text += fmt::format("Sending began {} before the refresh; ", ms(refresh.scan.begin - bus.begin));
-      return text + (bus.end <= refresh.scan.begin ? "it was over by then." : "the beam overtook the bus.");
+      return text + (bus.end <= refresh.scan.begin ? "it was over by then."
+                     : abreast                     ? "the beam overtook the bus."
+                                                   : "the beam crossed the bus.");
     }
     const Nanoseconds into = bus.begin - refresh.scan.begin;
-    text += fmt::format("Sending began {} into the refresh, with the beam at line {}, and not in VBLANK",
-                        ms(into), into / panel_.line_time());
-    return text + (bus.length() == 0 ? "." : "; the bus overtook the beam.");
+    const auto lines = static_cast<Nanoseconds>(hal::sim::lines_of(c));
+    const auto line = static_cast<int>(
+        std::min(into * lines / std::max(refresh.scan.length(), Nanoseconds{1}), lines - 1U));
+    text += fmt::format("Sending began {} into the refresh, with the beam at {} {}, and not in VBLANK",
+                        ms(into), line_or_column(c.scan), hal::sim::place_of(c, line));
+    if (bus.length() == 0) return text + '.';
+    return text + (abreast ? "; the bus overtook the beam." : "; the bus crossed the beam.");
   }
 
   [[nodiscard]] static std::string capital(std::string text) {

@@ -41,7 +41,7 @@ std::variant<Options, int> parse_command_line(int argc, const char* const* argv)
                  "Write the animation to this file (default: PROGRAM.png in the working folder)");
   app.add_option(
       "--effects", options.effects,
-      "What the panel does to a picture, as bus,te,tearing,response=8ms,dead=12:7 (--list names them)");
+      "What the panel does to a picture, as bus=10MHz,te,tearing,response=8ms,dead=12:7 (--list names them)");
   app.add_option("--trace", options.trace,
                  "Write what happened when to this file, for chrome://tracing or Perfetto");
   app.add_flag("--explain", options.explain, "Say why frames were torn, late or dropped");

@@ -44,7 +44,9 @@ void Timeline::drop() {
   FrameRecord& frame = frames_.back();
   frame.dropped = true;
   frame.time = clock_->now();
-  frame.deadline = Span{beginning(), beginning() + budget()};
+  // At least one VBLANK has come since, and if it was an early one the frame was due then.
+  frame.deadline = deadline(vblank_time_ > beginning_ ? vblank_time_ : frame.time);
+  beginning_ = frame.deadline->end;
   ++late_drops_;
 }
 
@@ -56,6 +58,7 @@ void Timeline::on_line(const hal::sim::ScannedLine& line) {
 
 void Timeline::on_vblank(std::uint64_t refresh, hal::Nanoseconds time) {
   vblanks_ = static_cast<std::uint32_t>(refresh + 1U);
+  vblank_time_ = time;
   if (refreshes_.empty()) return;
   refreshes_.back().scan.end = time;
   refreshes_.back().blanking = {time, time};
@@ -108,12 +111,10 @@ void Timeline::appear(FrameRecord& frame, std::uint32_t vblank, hal::Nanoseconds
     const std::uint32_t interval = static_cast<std::uint32_t>(interval_) * (1U + late_drops_);
     const std::uint32_t passed = vblank - *last_vblank_;
     frame.late = passed > interval ? passed - interval : 0;
-    // An edge of VBLANK may come a little early, by jitter or drift, and the frame is still in time.
-    const hal::Nanoseconds due = beginning() + budget();
-    frame.deadline = Span{beginning(), frame.late > 0 ? due : std::min(due, time)};
+    frame.deadline = deadline(time);
   }
   last_vblank_ = vblank;
-  last_time_ = time;
+  beginning_ = time;
   late_drops_ = 0;
 }
 

@@ -12,6 +12,7 @@
 #include <hal/sim/tearing.hpp>
 #include <intaglio/present/pacer.hpp>
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -88,8 +89,12 @@ class Timeline final : private hal::sim::Observer {
   void on_presented(const hal::sim::PresentedFrame& frame) override;
 
   void appear(FrameRecord& frame, std::uint32_t vblank, hal::Nanoseconds time);
-  /// When the frame before appeared, or was due if it was dropped as late.
-  [[nodiscard]] hal::Nanoseconds beginning() const { return last_time_ + late_drops_ * budget(); }
+  /// The deadline of a frame that was known at `time` to be in time or not: a budget from where the one
+  /// before ended, but never later than that time, for an edge of VBLANK comes a little early by jitter or
+  /// drift.
+  [[nodiscard]] Span deadline(hal::Nanoseconds time) const {
+    return {beginning_, std::min(beginning_ + budget(), time)};
+  }
   /// The frame that the panel counts as `number`, or none: what was there at the start.
   FrameRecord* frame_of(std::uint32_t number);
 
@@ -102,8 +107,9 @@ class Timeline final : private hal::sim::Observer {
   std::vector<RefreshRecord> refreshes_;
   std::vector<hal::Nanoseconds> te_edges_;
   std::optional<std::uint32_t> last_vblank_;
-  hal::Nanoseconds last_time_ = 0;
+  hal::Nanoseconds beginning_ = 0;  // When the frame before appeared, or was due if it was dropped as late.
   std::uint32_t vblanks_ = 0;
+  hal::Nanoseconds vblank_time_ = 0;  // Of the latest.
   std::uint32_t late_drops_ = 0;  // Since a frame appeared.
 };
 

@@ -271,13 +271,46 @@ TEST(TeEffect, WithoutALineTheProgramCountsByItsOwnClockAtTheNominalRate) {
   panel.detach(witness);
 }
 
+TEST(TeEffect, AClockOfTheProgramsOwnKeepsPaceWithAPanelOfTheNominalRate) {
+  VirtualClock clock;
+  Effects effects;
+  effects.te = TeTiming{.connected = false};
+  Panel panel(write_panel(4, 16384, 17874), clock, effects);
+  Effects told;
+  told.te = TeTiming{};
+  Panel reference(write_panel(4, 16384, 17874), clock, told);
+  ASSERT_EQ(panel.vblank_count(), 0U);
+  for (int minutes = 1; minutes <= 24 * 60; minutes += 60) {
+    clock.wait_until(static_cast<Nanoseconds>(minutes) * 60'000'000'000U);
+    ASSERT_EQ(panel.vblank_count(), static_cast<std::uint32_t>(minutes) * 3600U) << minutes << " minutes";
+    const std::uint32_t real = reference.vblank_count();
+    ASSERT_LE(std::abs(static_cast<int>(real - panel.vblank_count())), 1) << minutes << " minutes";
+  }
+}
+
+TEST(TeEffect, TheSlowestPanelIsSimulatedInTime) {
+  VirtualClock clock;
+  Effects effects;
+  effects.te = TeTiming{};
+  effects.drift = hal::sim::RefreshDrift{.ppm = 50'000};
+  PanelSpec spec = write_panel(4, 20, 22);
+  spec.capabilities.refresh_millihertz = 0;  // As 1: a refresh of 1000 s.
+  Panel panel(spec, clock, effects);
+  for (std::uint32_t n = 1; n <= 3; ++n) {
+    ASSERT_TRUE(panel.wait_for_vblank().ok());
+    EXPECT_EQ(now(clock), 950'000'000'000U * (n - 1U) + 950'000'000'000U * 20U / 22U);
+    EXPECT_EQ(panel.vblank_count(), n);
+  }
+}
+
 TEST(DriftEffect, RefreshesLastWhatTheFormulaSays) {
   oracle::Random random(43);
   for (int i = 0; i < 20'000; ++i) {
     const hal::sim::RefreshDrift drift{
         .ppm = random.between(-100'000, 100'000),
         .period = i % 3 == 0 ? 0 : static_cast<Nanoseconds>(random.between(1'000'000, 2'000'000'000)) * 30U};
-    const auto nominal = static_cast<Nanoseconds>(random.between(1'000'000, 2'000'000'000));
+    const auto nominal = static_cast<Nanoseconds>(random.between(1'000'000, 2'000'000'000)) *
+                         (i % 5 == 0 ? 500U : 1U);  // Up to 1000 s.
     const auto time = static_cast<Nanoseconds>(random.between(0, 2'000'000'000)) * 1000U;
     const long double exact =
         oracle::drifting_frame(static_cast<long double>(nominal), drift.ppm, static_cast<Wide>(drift.period),

@@ -22,8 +22,11 @@ Nanoseconds drifting_frame_time(const RefreshDrift& drift, Nanoseconds nominal, 
                                                      : 4 * at - 4 * period;
     parts = nearest(parts * wave, period);
   }
+  // In whole seconds and a rest, which is exact.
+  constexpr std::int64_t second = 1'000'000'000;
   const auto length = static_cast<std::int64_t>(nominal);
-  return static_cast<Nanoseconds>(length + nearest(length * parts, 1'000'000'000));
+  return static_cast<Nanoseconds>(length + length / second * parts +
+                                  nearest(length % second * parts, second));
 }
 
 }  // namespace hal::sim

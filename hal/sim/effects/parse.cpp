@@ -25,6 +25,25 @@ constexpr std::array<EffectHelp, effect_count> help{{
     {"grid", "[=SCALE[:rgb|bgr|none]]", "the viewer's picture enlarged, with sub-pixel stripes"},
 }};
 
+/// "8 ms", in the largest unit that leaves no rest.
+std::string as_time(Nanoseconds time) {
+  if (time % 1'000'000'000U == 0 && time > 0) return std::to_string(time / 1'000'000'000U) + " s";
+  if (time % 1'000'000U == 0 && time > 0) return std::to_string(time / 1'000'000U) + " ms";
+  if (time % 1000U == 0) return std::to_string(time / 1000U) + " us";
+  return std::to_string(time) + " ns";
+}
+
+std::string as_rate(std::uint64_t hertz) {
+  if (hertz % 1'000'000U == 0) return std::to_string(hertz / 1'000'000U) + " MHz";
+  if (hertz % 1000U == 0) return std::to_string(hertz / 1000U) + " kHz";
+  return std::to_string(hertz) + " Hz";
+}
+
+std::string as_decimal(int hundredths) {
+  const std::string rest = std::to_string(hundredths % 100);
+  return std::to_string(hundredths / 100) + (rest.size() < 2 ? ".0" : ".") + rest;
+}
+
 /// What is wrong, for `parse_effects` to hand on.
 struct Wrong {
   std::string what;
@@ -42,6 +61,7 @@ class Reader {
     rest_.remove_prefix(1);
     return true;
   }
+  void skip(std::size_t count) { rest_.remove_prefix(count); }
   /// A word of the list, and which one.
   std::size_t word(std::initializer_list<std::string_view> words) {
     for (std::size_t i = 0; i < words.size(); ++i) {
@@ -51,50 +71,60 @@ class Reader {
     }
     fail();
   }
-  /// A whole number of least..most.
-  std::uint64_t number(std::uint64_t least, std::uint64_t most) {
+  /// A whole number of least..most, which is called `name`.
+  std::uint64_t number(std::string_view name, std::uint64_t least, std::uint64_t most) {
     std::uint64_t value = 0;
     const char* const end = rest_.data() + rest_.size();
     const auto [next, error] = std::from_chars(rest_.data(), end, value);
-    if (error != std::errc{}) fail();
+    if (error == std::errc::invalid_argument) fail();
+    if (error != std::errc{} || value < least || value > most)
+      fail_range(std::string(name) + " is " + std::to_string(least) + " to " + std::to_string(most));
     rest_ = {next, static_cast<std::size_t>(end - next)};
-    if (value < least || value > most) fail_range(std::to_string(least) + " to " + std::to_string(most));
     return value;
   }
-  /// A decimal number times 10^digits. At most `most`.
-  std::uint64_t decimal(int digits, std::uint64_t most) {
-    if (rest_.empty() || (rest_[0] != '.' && !is_digit(rest_[0]))) fail();
+  /// A decimal number times 10^digits. At most `most`, which a user reads as `range`.
+  std::uint64_t decimal(int digits, std::uint64_t most, const std::string& range) {
     std::uint64_t value = 0;
+    bool any = false;
     int after_point = -1;  // Digits so far; -1: no point yet.
     for (; !rest_.empty(); rest_.remove_prefix(1)) {
       if (rest_[0] == '.' && after_point < 0) {
         after_point = 0;
       } else if (is_digit(rest_[0])) {
-        if (after_point == digits) fail_range("fewer decimals");
+        any = true;
+        if (after_point == digits) fail_range("at most " + std::to_string(digits) + " decimals");
         if (after_point >= 0) ++after_point;
         value = value * 10U + static_cast<std::uint64_t>(rest_[0] - '0');
-        if (value > most)
-          fail_range("at most " + std::to_string(most) + " times 10^-" + std::to_string(digits));
+        if (value > most) fail_range(range);
       } else {
         break;
       }
     }
+    if (!any) fail();
     for (int i = std::max(after_point, 0); i < digits; ++i) {
       value *= 10U;
-      if (value > most) fail_range("less");
+      if (value > most) fail_range(range);
     }
     return value;
   }
   /// Nanoseconds, at most `most`.
-  Nanoseconds time(Nanoseconds most) { return with_unit({{"ns", 0}, {"us", 3}, {"ms", 6}, {"s", 9}}, most); }
+  Nanoseconds time(Nanoseconds most) {
+    return with_unit({{"ns", 0}, {"us", 3}, {"ms", 6}, {"s", 9}}, most, as_time(most));
+  }
   /// Millihertz, at most `most`.
-  std::uint64_t rate(std::uint64_t most) { return with_unit({{"hz", 3}, {"khz", 6}, {"mhz", 9}}, most); }
+  std::uint64_t rate(std::uint64_t most) {
+    return with_unit({{"hz", 3}, {"khz", 6}, {"mhz", 9}}, most, as_rate(most / 1000U));
+  }
 
   void expect_end() const {
     if (!rest_.empty()) fail();
   }
   [[noreturn]] void fail() const {
-    throw Wrong{"'" + std::string(text_) + "' is no value of " + std::string(usage_)};
+    std::string what = "'" + std::string(text_) + "' is no value of " + std::string(usage_);
+    if (usage_.find("RATE") != std::string_view::npos) what += ", RATE as in 10MHz";
+    if (usage_.find("TIME") != std::string_view::npos || usage_.find("PERIOD") != std::string_view::npos)
+      what += ", times as in 8ms";
+    throw Wrong{what};
   }
   [[noreturn]] void fail_range(const std::string& range) const {
     throw Wrong{"'" + std::string(text_) + "' is out of range (" + range + "): " + std::string(usage_)};
@@ -108,7 +138,7 @@ class Reader {
   static bool is_digit(char c) { return c >= '0' && c <= '9'; }
   static char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
-  std::uint64_t with_unit(std::initializer_list<Unit> units, std::uint64_t most) {
+  std::uint64_t with_unit(std::initializer_list<Unit> units, std::uint64_t most, const std::string& limit) {
     // The unit stands behind the number but says how many digits that has.
     const auto letter = [](char c) { return lower(c) >= 'a' && lower(c) <= 'z'; };
     const auto begin = std::ranges::find_if(rest_, letter);
@@ -117,7 +147,7 @@ class Reader {
     std::ranges::transform(name, name.begin(), lower);
     for (const Unit& unit : units) {
       if (unit.name != name) continue;
-      const std::uint64_t value = decimal(unit.digits, most);
+      const std::uint64_t value = decimal(unit.digits, most, "at most " + limit);
       if (!std::ranges::equal(rest_.substr(0, name.size()), name, {}, lower)) fail();
       rest_.remove_prefix(name.size());
       return value;
@@ -131,12 +161,13 @@ class Reader {
 };
 
 constexpr Nanoseconds second = 1'000'000'000;
+constexpr const char* depth_range = "1 to 8 bits, or three digits of 1 to 8";
 
 BusTiming read_bus(Reader& value, BusTiming bus) {
   if (value.at_end()) return bus;
   if (value.rest()[0] != '+') {
     const std::uint64_t millihertz = value.rate(4'000'000'000'000U);
-    if (millihertz < 1000U) value.fail_range("at least 1 Hz");
+    if (millihertz < 1000U || millihertz % 1000U != 0) value.fail_range("whole hertz, at least 1 Hz");
     bus.hertz = static_cast<std::uint32_t>(millihertz / 1000U);
   }
   if (value.take('+')) bus.gap = value.time(second);
@@ -180,10 +211,8 @@ RefreshDrift read_drift(Reader& value, RefreshDrift drift) {
   if (value.at_end()) return drift;
   const bool slower = value.take('-');
   if (!slower) value.take('+');
-  drift.ppm = static_cast<int>(value.number(0, 50'000)) * (slower ? -1 : 1);
-  if (value.rest().starts_with("ppm")) {
-    for (const char sign : {'p', 'p', 'm'}) value.take(sign);
-  }
+  drift.ppm = static_cast<int>(value.number("PPM", 0, 50'000)) * (slower ? -1 : 1);
+  if (value.rest().starts_with("ppm")) value.skip(3);
   drift.period = 0;
   if (!value.take('/')) return drift;
   drift.period = value.time(60U * second);
@@ -194,20 +223,21 @@ RefreshDrift read_drift(Reader& value, RefreshDrift drift) {
 ColourDepth read_depth(Reader& value, ColourDepth depth) {
   if (value.at_end()) return depth;
   const std::string_view digits = value.rest();
-  const std::uint64_t bits = value.number(1, 888);
+  if (digits.size() != 1 && digits.size() != 3) value.fail_range(depth_range);
   for (std::size_t i = 0; i < 3; ++i) {
-    depth.bits[i] = digits[digits.size() == 3 ? i : 0] - '0';
-    if (digits.size() == 2 || bits == 0 || depth.bits[i] < 1 || depth.bits[i] > 8)
-      value.fail_range("1 to 8 bits, or three digits of 1 to 8");
+    const char digit = digits[digits.size() == 3 ? i : 0];
+    if (digit < '1' || digit > '8') value.fail_range(depth_range);
+    depth.bits[i] = digit - '0';
   }
+  value.skip(digits.size());
   return depth;
 }
 
 DeadPixel read_dead(Reader& value, const Capabilities& panel) {
   DeadPixel pixel;
-  pixel.x = static_cast<int>(value.number(0, static_cast<std::uint64_t>(panel.width) - 1U));
+  pixel.x = static_cast<int>(value.number("x", 0, static_cast<std::uint64_t>(panel.width) - 1U));
   if (!value.take(':')) value.fail();
-  pixel.y = static_cast<int>(value.number(0, static_cast<std::uint64_t>(panel.height) - 1U));
+  pixel.y = static_cast<int>(value.number("y", 0, static_cast<std::uint64_t>(panel.height) - 1U));
   if (!value.take(':')) return pixel;
   std::uint32_t colour = 0;
   const std::string_view digits = value.rest();
@@ -215,14 +245,14 @@ DeadPixel read_dead(Reader& value, const Capabilities& panel) {
   if (digits.size() != 6 || error != std::errc{} || next != digits.data() + digits.size()) value.fail();
   for (std::size_t i = 0; i < 3; ++i) {
     pixel.colour[i] = static_cast<std::uint8_t>(colour >> (16U - 8U * static_cast<unsigned>(i)));
-    for (int digit = 0; digit < 2; ++digit) value.take(value.rest()[0]);
   }
+  value.skip(digits.size());
   return pixel;
 }
 
 PixelGrid read_grid(Reader& value, PixelGrid grid, const Capabilities& panel) {
   if (!value.at_end()) {
-    grid.scale = static_cast<int>(value.number(2, 32));
+    grid.scale = static_cast<int>(value.number("SCALE", 2, 32));
     if (value.take(':')) grid.stripes = static_cast<Stripes>(value.word({"rgb", "bgr", "none"}));
     if (grid.scale < 4 && grid.stripes != Stripes::none)
       value.fail_range("4 to 32, or 2 and more without stripes");
@@ -241,7 +271,7 @@ void read_effect(std::size_t which, Reader& value, const PanelSpec& panel, Effec
       effects.draw = read_draw(value);
       break;
     case Effect::garbage:
-      effects.garbage = PowerOnGarbage{value.at_end() ? 1 : value.number(0, ~std::uint64_t{0})};
+      effects.garbage = PowerOnGarbage{value.at_end() ? 1 : value.number("SEED", 0, ~std::uint64_t{0})};
       break;
     case Effect::bus:
       if (c.buffers > 0)
@@ -271,7 +301,7 @@ void read_effect(std::size_t which, Reader& value, const PanelSpec& panel, Effec
     case Effect::gamma: {
       effects.gamma = table.gamma;
       if (value.at_end()) break;
-      effects.gamma->hundredths = static_cast<int>(value.decimal(2, 500));
+      effects.gamma->hundredths = static_cast<int>(value.decimal(2, 500, "0.5 to 5"));
       if (effects.gamma->hundredths < 50) value.fail_range("0.5 to 5");
       break;
     }
@@ -287,23 +317,6 @@ void read_effect(std::size_t which, Reader& value, const PanelSpec& panel, Effec
   }
 }
 
-std::string as_time(Nanoseconds time) {
-  if (time % 1'000'000U == 0 && time > 0) return std::to_string(time / 1'000'000U) + " ms";
-  if (time % 1000U == 0) return std::to_string(time / 1000U) + " us";
-  return std::to_string(time) + " ns";
-}
-
-std::string as_rate(std::uint32_t hertz) {
-  if (hertz % 1'000'000U == 0) return std::to_string(hertz / 1'000'000U) + " MHz";
-  if (hertz % 1000U == 0) return std::to_string(hertz / 1000U) + " kHz";
-  return std::to_string(hertz) + " Hz";
-}
-
-std::string as_decimal(int hundredths) {
-  const std::string rest = std::to_string(hundredths % 100);
-  return std::to_string(hundredths / 100) + (rest.size() < 2 ? ".0" : ".") + rest;
-}
-
 }  // namespace
 
 std::span<const EffectHelp, effect_count> effect_help() { return help; }
@@ -311,9 +324,10 @@ std::span<const EffectHelp, effect_count> effect_help() { return help; }
 std::variant<Effects, std::string> parse_effects(std::string_view text, const PanelSpec& panel) {
   Effects effects;
   std::array<bool, effect_count> named{};
-  while (!text.empty()) {
+  for (bool more = !text.empty(); more;) {
     const std::string_view item = text.substr(0, text.find(','));
-    text.remove_prefix(std::min(item.size() + 1U, text.size()));
+    more = item.size() < text.size();
+    text.remove_prefix(item.size() + (more ? 1U : 0U));
     const std::string_view name = item.substr(0, item.find('='));
     const auto found = std::ranges::find(help, name, &EffectHelp::name);
     if (found == help.end()) return "no effect is named '" + std::string(name) + "'";
@@ -342,7 +356,6 @@ std::variant<Effects, std::string> parse_effects(std::string_view text, const Pa
 
 std::string effect_default(Effect effect, const PanelSpec& panel) {
   const EffectTable& table = panel.effects;
-  const auto response = [](Nanoseconds time) { return as_time(time); };
   switch (effect) {
     case Effect::bus:
       if (panel.capabilities.buffers > 0) return {};
@@ -360,7 +373,7 @@ std::string effect_default(Effect effect, const PanelSpec& panel) {
     case Effect::gamma:
       return as_decimal(table.gamma.hundredths);
     case Effect::response:
-      return response(table.response.rise) + " up, " + response(table.response.fall) + " down";
+      return as_time(table.response.rise) + " up, " + as_time(table.response.fall) + " down";
     case Effect::grid:
       return std::to_string(table.grid.scale) +
              (table.grid.stripes == Stripes::none ? ", no stripes" : ", stripes");

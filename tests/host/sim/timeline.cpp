@@ -143,6 +143,37 @@ TEST(Explain, ASendingOutsideOfVblankTears) {
       << text;
 }
 
+TEST(Explain, ABeamThatGoesAnotherWayIsntSaidToBeOvertaken) {
+  struct Case {
+    hal::ScanDirection scan;
+    const char* beam;
+  };
+  for (const Case& c : {Case{hal::ScanDirection::up, "with the beam at line 177"},
+                        Case{hal::ScanDirection::right, "with the beam at column 8"},
+                        Case{hal::ScanDirection::left, "with the beam at column 23"}}) {
+    Effects effects;
+    effects.bus = hal::sim::BusTiming{.hertz = 32U * 240U * 1000U / 5U,
+                                      .clocks_per_byte = 1,
+                                      .bits_per_pixel = 8,
+                                      .command_bytes = 0,
+                                      .gap = 0};
+    effects.scan = c.scan;
+    Stage stage(0, effects);
+    stage.clock.wait_until(3U * stage.panel.frame_time() + 4U * millisecond);
+    stage.draw(0, 0);
+    stage.send(0);
+    const Nanoseconds late = stage.panel.frame_time() * 6U - 3U * millisecond;
+    stage.clock.wait_until(late);
+    stage.draw(1, 0);
+    stage.send(1);
+    stage.clock.advance(2U * stage.panel.frame_time());
+    const std::string text = stage.explanation();
+    EXPECT_TRUE(holds(text, std::string(c.beam) + ", and not in VBLANK; the bus crossed the beam.")) << text;
+    EXPECT_TRUE(holds(text, "ms before the refresh; the beam crossed the bus.")) << text;
+    EXPECT_FALSE(holds(text, "overtook")) << text;
+  }
+}
+
 TEST(Explain, ABufferSwappedInMidPictureIsTheCause) {
   Effects effects;
   effects.latch = hal::sim::PaletteLatch::both_at_once;

@@ -45,6 +45,7 @@ void StrictDcs::set_defaults() {
   asleep_ = true;
   tearing_ = Tearing::off;
   tearing_line_ = brightness_ = 0;
+  brightness_controlled_ = false;
 }
 
 int StrictDcs::parameters(std::uint8_t command) const {
@@ -107,6 +108,8 @@ void StrictDcs::execute(std::uint8_t command, const std::vector<std::uint8_t>& g
   end_pixels();
   switch (command) {
     case 0x01:
+      if (!asleep_ && clock_->now() - last_sleep_ < 120 * millisecond)
+        breach("a reset within 120 ms after the end of sleep");
       set_defaults();
       last_pause_ = last_sleep_ = clock_->now();
       break;
@@ -157,11 +160,14 @@ void StrictDcs::execute(std::uint8_t command, const std::vector<std::uint8_t>& g
     case 0x44:
       if (in_range(command, given[0] * 256 + given[1], 0, memory_height - 1)) {
         tearing_line_ = given[0] * 256 + given[1];
-        if (tearing_ == Tearing::off) tearing_ = Tearing::vblank;
+        tearing_ = Tearing::vblank;  // Line 0 is the VBLANK, and nothing is told between lines.
       }
       break;
     case 0x51:
       brightness_ = given[0];
+      break;
+    case 0x53:
+      brightness_controlled_ = (given[0] & 0x24U) == 0x24U;
       break;
     default:
       if (StrictDcs::parameters(command) < 0) execute_own(command, given);

@@ -5,11 +5,10 @@
 //
 // Reported as breaches, besides what every strict controller reports:
 // - a command within 5 ms after a reset, 10h or 11h; 10h and 11h within 120 ms of each other; 11h within
-//   120 ms after a reset;
+//   120 ms after a reset, and 01h within 120 ms after 11h;
 // - windows outside the addresses that the address mode leaves; more pixels than the window has; a window
-// left
-//   before it is full; part of a pixel;
-// - pixels while the pixel format is none that the bus takes.
+//   left before it is full; part of a pixel;
+// - a pixel format that the bus doesn't take.
 #pragma once
 
 #include <hal/clock.hpp>
@@ -50,7 +49,8 @@ class StrictDcs : public StrictController {
   [[nodiscard]] Tearing tearing() const { return tearing_; }
   /// The line of the refresh at which the TE line rises; 0: VBLANK.
   [[nodiscard]] int tearing_line() const { return tearing_line_; }
-  [[nodiscard]] int brightness() const { return brightness_; }
+  /// Of the back light, which follows its register only while its control is on.
+  [[nodiscard]] int brightness() const { return brightness_controlled_ ? brightness_ : 0; }
   /// As by the reset line.
   void hardware_reset();
 
@@ -93,6 +93,7 @@ class StrictDcs : public StrictController {
   Tearing tearing_ = Tearing::off;
   int tearing_line_ = 0;
   int brightness_ = 0;
+  bool brightness_controlled_ = false;
   Nanoseconds last_pause_ = 0;  // When 5 ms began.
   Nanoseconds last_sleep_ = 0;  // When 120 ms began.
 };

@@ -54,8 +54,8 @@ bool valid(const DcsOptions& o) noexcept {
   const int bits = o.bits_per_pixel;
   return inside(o.column_offset, o.width, width) && inside(o.row_offset, o.height, height) &&
          (bits == 1 || bits == 2 || bits == 4 || bits == 8) && o.te_line >= 0 && o.te_line < height &&
-         o.refresh_millihertz >= 1 && o.rotation <= Rotation::by_270 &&
-         o.te <= TearingEffect::vblank_and_hblank;
+         (o.te_line == 0 || o.te != TearingEffect::vblank_and_hblank) && o.refresh_millihertz >= 1 &&
+         o.rotation <= Rotation::by_270 && o.te <= TearingEffect::vblank_and_hblank;
 }
 
 /// Options that do no harm until `start` refuses them.
@@ -124,11 +124,13 @@ Status DcsPanel::do_start() noexcept {
 }
 
 Status DcsPanel::reset() noexcept {
-  // Nothing is known of what the controller was told before, so what it may need is waited for.
-  ready_ = clock_->now() + after_command;
+  // A reset would meet a controller that is still waking up. What it was told before this driver knew it
+  // can't be known; the pause after any command is waited for.
+  const Nanoseconds awake = sleep_ == Sleep::asleep ? 0 : settled_;
+  ready_ = std::max(clock_->now() + after_command, awake);
   const Status sent = send(cmd::software_reset);
   pause();
-  asleep_ = true;
+  sleep_ = sent.ok() ? Sleep::asleep : Sleep::unknown;
   return sent;
 }
 
@@ -167,12 +169,13 @@ Status DcsPanel::do_stop() noexcept {
 }
 
 Status DcsPanel::do_sleep(bool asleep) noexcept {
-  if (asleep == asleep_) return {};
+  const Sleep wanted = asleep ? Sleep::asleep : Sleep::awake;
+  if (sleep_ == wanted) return {};
   clock_->wait_until(settled_);
   const Status sent = send(asleep ? cmd::sleep_in : cmd::sleep_out);
   // It may have arrived even if the bus failed.
   pause();
-  if (sent.ok()) asleep_ = asleep;
+  sleep_ = sent.ok() ? wanted : Sleep::unknown;
   return sent;
 }
 
@@ -205,8 +208,9 @@ Status DcsPanel::set_window(const Rect& area) noexcept {
 
 Status DcsPanel::do_write(const Rect& area, std::span<const std::uint8_t> pixels, int stride) noexcept {
   if (const Status s = set_window(area); !s.ok()) return s;
-  std::array<std::uint8_t, least_buffer>
-      own;  // NOLINT(cppcoreguidelines-pro-type-member-init): written first
+  // `expand` writes every byte that is sent; clearing them first would take a store for each 4 bytes of every
+  // write, dirty rectangles of a few pixels included.
+  std::array<std::uint8_t, least_buffer> own;  // NOLINT(cppcoreguidelines-pro-type-member-init)
   const std::span<std::uint8_t> buffer =
       options_.workspace.size() < own.size() ? std::span<std::uint8_t>(own) : options_.workspace;
   const std::size_t capacity = buffer.size() / 2;

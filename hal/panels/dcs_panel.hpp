@@ -11,9 +11,9 @@
 //   how it runs over the turned picture.
 // - A glass smaller than the memory lies `column_offset` and `row_offset` away from the memory's corner;
 //   mirrored addresses count from the other end.
-// - Sleep: 5 ms after 10h, 11h and a reset before the next command, 120 ms between 10h, 11h and a reset
-// before
-//   11h (data sheets of both controllers at 01h, 10h and 11h). The driver waits only for what is left.
+// - Sleep: 5 ms after 10h, 11h and a reset before the next command; 120 ms between 10h and 11h, from a reset
+//   to 11h, and from 11h to a reset (data sheets of both controllers at 01h, 10h and 11h). The driver waits
+//   only for what is left.
 #pragma once
 
 #include <hal/panels/bus_panel.hpp>
@@ -48,7 +48,8 @@ struct DcsOptions {
   /// The glass is refreshed from its last row to its first.
   bool scan_up = false;
   TearingEffect te = TearingEffect::off;
-  /// The line of the refresh at which the TE line rises; 0: at the VBLANK. Controllers count 0..319.
+  /// The line of the refresh at which the TE line rises, 0..319; 0: at the VBLANK. Another line leaves no
+  /// room for `TearingEffect::vblank_and_hblank`.
   int te_line = 0;
   /// Indices that the program draws: 1, 2, 4 or 8 bits.
   int bits_per_pixel = 8;
@@ -74,6 +75,8 @@ class DcsPanel : public BusPanel {
   ~DcsPanel() = default;
 
  private:
+  enum class Sleep : std::uint8_t { unknown, asleep, awake };
+
   Status do_start() noexcept final;
   Status do_stop() noexcept final;
   Status do_sleep(bool asleep) noexcept final;
@@ -97,7 +100,7 @@ class DcsPanel : public BusPanel {
   DcsOptions options_;
   std::span<const std::uint8_t> setup_;
   bool valid_;
-  bool asleep_ = true;
+  Sleep sleep_ = Sleep::unknown;
   Nanoseconds ready_ = 0;    // When the next command may be sent.
   Nanoseconds settled_ = 0;  // When the controller may be put to sleep or woken.
   int column_shift_ = 0;     // From the picture's columns to addresses.

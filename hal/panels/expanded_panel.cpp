@@ -60,8 +60,10 @@ Status ExpandedPanel::do_write(const Rect& area, std::span<const std::uint8_t> p
     if (columns == 0) return {Error::invalid, Part::buffer};
   }
   const auto bytes = row_bytes(columns, c.bits_per_pixel);
-  const auto blocks = static_cast<int>(workspace_.size() / (bytes * least_height));
-  const int rows = std::max(blocks * c.y_alignment, 1);
+  // No more than there are, so that the product fits.
+  const std::size_t blocks =
+      std::min(workspace_.size() / (bytes * least_height), static_cast<std::size_t>(area.height));
+  const int rows = std::max(static_cast<int>(blocks) * c.y_alignment, 1);
   for (int y = 0; y < area.height; y += rows) {
     const auto start = static_cast<std::size_t>(y) * static_cast<std::size_t>(stride);
     for (int x = 0; x < area.width; x += columns) {

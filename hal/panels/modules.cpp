@@ -27,6 +27,11 @@ std::uint32_t refresh_of(const ModuleParts& parts, std::uint32_t own) noexcept {
   return parts.options.refresh_millihertz == 0 ? own : parts.options.refresh_millihertz;
 }
 
+/// An offset of the glass added to the module's; one that can't be becomes one that `start` refuses.
+int beyond(int own, int more) noexcept {
+  return more >= 0 && more < DcsPanel::memory_height ? own + more : -1;
+}
+
 template <class Driver, const DcsOptions& module>
 BusPanel& make_dcs(ModuleStorage& storage, const ModuleParts& parts) noexcept {
   DcsOptions options = module;
@@ -42,8 +47,8 @@ BusPanel& make_dcs(ModuleStorage& storage, const ModuleParts& parts) noexcept {
   const ModuleGlass& glass = parts.options.glass;
   if (glass.width != 0) options.width = glass.width;
   if (glass.height != 0) options.height = glass.height;
-  options.column_offset += glass.column_offset;
-  options.row_offset += glass.row_offset;
+  options.column_offset = beyond(module.column_offset, glass.column_offset);
+  options.row_offset = beyond(module.row_offset, glass.row_offset);
   options.mirrored = module.mirrored != glass.mirrored;
   options.bgr = module.bgr != glass.bgr;
   return place<Driver>(storage, *parts.port, *parts.clock, parts.vblank, options);

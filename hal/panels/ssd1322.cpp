@@ -41,7 +41,10 @@ constexpr std::uint8_t unlocked = 0x12;
 constexpr unsigned remap_columns = 0x02;
 constexpr unsigned remap_nibbles = 0x04;
 constexpr unsigned remap_rows = 0x10;
+constexpr std::uint8_t one_row_at_a_time = 0x01;
 constexpr std::uint8_t two_rows_at_once = 0x11;
+// With more rows a row is driven alone.
+constexpr int most_rows_of_two = 64;
 
 constexpr std::array<std::uint8_t, 4> remap_bits{remap_nibbles | remap_rows,
                                                  remap_nibbles | remap_columns | remap_rows,
@@ -85,6 +88,8 @@ Ssd1322::Ssd1322(CommandPort& port, Clock* frame_clock, VblankSource* vblank,
 
 Status Ssd1322::do_start() noexcept {
   if (!valid_) return {Error::invalid, Part::panel};
+  const std::uint8_t rows_at_once =
+      options_.height <= most_rows_of_two ? two_rows_at_once : one_row_at_a_time;
   // clang-format off
   const auto setup = std::to_array<std::uint8_t>({
       cmd::lock, 1, unlocked,
@@ -93,7 +98,7 @@ Status Ssd1322::do_start() noexcept {
       cmd::multiplex_ratio, 1, static_cast<std::uint8_t>(options_.height - 1),
       cmd::offset, 1, 0,
       cmd::start_line, 1, 0,
-      cmd::remap, 2, remap_bits[static_cast<std::size_t>(options_.rotation)], two_rows_at_once,
+      cmd::remap, 2, remap_bits[static_cast<std::size_t>(options_.rotation)], rows_at_once,
       cmd::free_pins, 1, 0x00,
       cmd::internal_supply, 1, 0x01,
       cmd::enhancement_a, 2, 0xA0, 0xFD,

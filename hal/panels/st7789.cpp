@@ -12,8 +12,8 @@ constexpr auto setup = std::to_array<std::uint8_t>({
     0xB2, 5, 0x0C, 0x0C, 0x00, 0x33, 0x33,  // Porches: 12 lines before and behind the picture.
     0xB7, 1, 0x35,                          // Gate voltages 13.26 V, -10.43 V.
     0xBB, 1, 0x19,                          // VCOM 0.725 V.
-    0xC0, 1, 0x2C,                          // Nothing of the address mode is inverted.
-    0xC2, 2, 0x01, 0xFF,                         // VRH and VDV come from the next two.
+    0xC0, 1, 0x2C,                          // Directions and colours as the glass expects them.
+    0xC2, 2, 0x01, 0xFF,                    // VRH and VDV come from the next two.
     0xC3, 1, 0x12,
     0xC4, 1, 0x20,
     0xC6, 1, 0x0F,                          // 60 frames a second.

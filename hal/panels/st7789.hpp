@@ -3,8 +3,8 @@
 // ST7789 (ST7789V, ST7789V2): TFT controller with memory for 240x320 pixels, behind SPI with a data/command
 // line; its TE output tells the VBLANK.
 //
-// Source: Sitronix ST7789V data sheet, version 1.3 (2014/03), chapter 9 "Command"; the values of the second
-// command table are its defaults, and the gamma of a usual IPS glass.
+// Source: Sitronix ST7789V data sheet, version 1.3 (2014/03), chapter 9 "Command"; of the second command
+// table timings and polarities are its defaults, voltages and gamma those of a usual IPS glass.
 #pragma once
 
 #include <hal/panels/dcs_panel.hpp>

@@ -232,7 +232,8 @@ void tft(Input& in) {
   hal::sim::VirtualClock clock;
   const bool good = options.column_offset + options.width <= 240 &&
                     options.row_offset + options.height <= 320 && options.te_line < 320 &&
-                    options.bits_per_pixel != 3;
+                    options.bits_per_pixel != 3 &&
+                    (options.te_line == 0 || options.te != hal::panels::TearingEffect::vblank_and_hblank);
   hal::mock::DcsGlass mounted{options.width,    options.height, options.column_offset, options.row_offset,
                               options.mirrored, options.bgr,    options.invert};
   if (!good) mounted = {};

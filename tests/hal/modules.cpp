@@ -105,6 +105,23 @@ TEST(Modules, EveryNameMakesADriverThatShowsPictures) {
   EXPECT_EQ(hal::panels::find_module(""), nullptr);
 }
 
+TEST(Modules, GlassThatLiesBesideTheMemoryIsRefused) {
+  ModuleStorage storage;
+  for (const int offset : {-1, -52, 320, INT32_MIN, INT32_MAX})
+    for (const bool columns : {false, true}) {
+      hal::sim::VirtualClock clock;
+      const auto model = model_of("st7789-135x240", clock);
+      hal::panels::SpiPort port(model->spi(), model->data_command());
+      hal::panels::ModuleGlass glass;
+      (columns ? glass.column_offset : glass.row_offset) = offset;
+      hal::panels::BusPanel& panel =
+          hal::panels::find_module("st7789-135x240")
+              ->make(storage, {.port = &port, .clock = &clock, .options = {.glass = glass}});
+      EXPECT_EQ(panel.start(), hal::Status(hal::Error::invalid, hal::Part::panel)) << offset;
+      EXPECT_EQ(model->transfers(), 0);
+    }
+}
+
 TEST(Modules, OfTheSimulatorsCatalogueAreWhatItSimulates) {
   int simulated = 0;
   for (const Module& module : hal::panels::modules()) {

@@ -132,6 +132,18 @@ TEST(OledPanels, NegativeContrastAndSleepReachTheController) {
   EXPECT_EQ(mono.displayed().at(5, 5), 1);
 }
 
+TEST(Ssd1322, OfMoreThan64RowsDrivesEachRowAlone) {
+  for (const int height : {64, 65, 128}) {
+    StrictSsd1322 model;
+    std::string told;
+    model.on_breach([&](std::string_view what) { told += what; });
+    SpiPort port(model.spi(), model.data_command());
+    Ssd1322 panel(port, nullptr, nullptr, {.height = height});
+    ASSERT_TRUE(panel.start().ok());
+    EXPECT_EQ(told.find("two rows at once"), std::string::npos) << height << ": " << told;
+  }
+}
+
 TEST(Ssd1322, GreysAreEvenToTheEye) {
   StrictSsd1322 model;
   SpiPort port(model.spi(), model.data_command());

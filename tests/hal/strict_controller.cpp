@@ -153,11 +153,38 @@ TEST(StrictDcs, PausesThatAreTooShort) {
   EXPECT_NONFATAL_FAILURE(send(tft.chip, false, {0x29}), "within 5 ms");
   tft.clock.advance(119'999'999);
   EXPECT_NONFATAL_FAILURE(send(tft.chip, false, {0x11}), "within 120 ms");
-  tft.clock.advance(5'000'000);
+  tft.clock.advance(120'000'000);
   send(tft.chip, false, {0x01});
   EXPECT_NONFATAL_FAILURE(send(tft.chip, false, {0x00}), "within 5 ms");
   tft.clock.advance(119'000'000);
   EXPECT_NONFATAL_FAILURE(send(tft.chip, false, {0x11}), "within 120 ms");
+}
+
+TEST(StrictDcs, AResetOfAControllerThatIsWakingUp) {
+  Tft tft;
+  send(tft.chip, false, {0x10});
+  tft.clock.advance(120'000'000);
+  send(tft.chip, false, {0x11});
+  tft.clock.advance(119'999'999);
+  EXPECT_NONFATAL_FAILURE(send(tft.chip, false, {0x01}), "a reset within 120 ms after the end of sleep");
+}
+
+TEST(StrictDcs, TearingEffectAndBackLightFollowTheirSwitches) {
+  using Tearing = hal::mock::StrictDcs::Tearing;
+  Tft tft;
+  tft.tell(0x35, {1});
+  EXPECT_EQ(tft.chip.tearing(), Tearing::vblank_and_hblank);
+  tft.tell(0x44, {0, 7});
+  EXPECT_EQ(tft.chip.tearing(), Tearing::vblank) << "at a line there is nothing between lines";
+  EXPECT_EQ(tft.chip.tearing_line(), 7);
+  tft.tell(0x35, {0});
+  EXPECT_EQ(tft.chip.tearing_line(), 0);
+  send(tft.chip, false, {0x34});
+  EXPECT_EQ(tft.chip.tearing(), Tearing::off);
+  tft.tell(0x51, {99});
+  EXPECT_EQ(tft.chip.brightness(), 0) << "nobody asked for the control of the back light";
+  tft.tell(0x53, {0x24});
+  EXPECT_EQ(tft.chip.brightness(), 99);
 }
 
 TEST(StrictDcs, CommandsWithoutTheirParametersAndDataWithoutACommand) {

@@ -173,6 +173,37 @@ TEST(DcsPanel, SleepWaitsForWhatIsLeftOfItsPausesAndNoLonger) {
   EXPECT_EQ(clock.now(), 1365 * millisecond) << "all pauses are over";
 }
 
+TEST(DcsPanel, StartingAgainWaitsUntilTheControllerIsAwake) {
+  Bench bench;
+  hal::Clock& clock = bench.clock;
+  St7789 panel(bench.port, bench.clock, nullptr, bench.options);
+  ASSERT_TRUE(panel.start().ok());
+  ASSERT_EQ(clock.now(), 130 * millisecond);
+  ASSERT_TRUE(panel.start().ok());
+  EXPECT_EQ(clock.now(), (245 + 120 + 5) * millisecond) << "120 since it woke, then as the first time";
+  ASSERT_TRUE(panel.stop().ok());
+  EXPECT_EQ(clock.now(), (365 + 120) * millisecond);
+  ASSERT_TRUE(panel.start().ok());
+  EXPECT_EQ(clock.now(), (485 + 5 + 120 + 5) * millisecond) << "asleep it can be reset at once";
+}
+
+TEST(DcsPanel, StopPutsAControllerToSleepOfWhichAFaultLeftNothingKnown) {
+  Bench bench;
+  St7789 panel(bench.port, bench.clock, nullptr, bench.options);
+  ASSERT_TRUE(panel.start().ok());
+  bench.model.fail_after(0);
+  EXPECT_EQ(panel.start().error(), hal::Error::bus) << "awake as before";
+  bench.model.fail_after(1 << 30);
+  ASSERT_TRUE(panel.stop().ok());
+  EXPECT_TRUE(bench.model.asleep());
+  // A program that begins knows nothing of what the one before left.
+  ASSERT_TRUE(panel.start().ok());
+  St7789 next(bench.port, bench.clock, nullptr, bench.options);
+  bench.clock.advance(200 * millisecond);
+  ASSERT_TRUE(next.stop().ok());
+  EXPECT_TRUE(bench.model.asleep());
+}
+
 TEST(DcsPanel, SleepKeepsThePictureAndStopBlanksIt) {
   Bench bench;
   St7789 panel(bench.port, bench.clock, nullptr, bench.options);
@@ -253,7 +284,7 @@ TEST(DcsPanel, ATearingEffectLineGivesTheRhythm) {
 }
 
 TEST(DcsPanel, OptionsThatCannotBeAreRefusedAndNothingIsSent) {
-  const std::array<DcsOptions, 13> all{{{.width = 0},
+  const std::array<DcsOptions, 16> all{{{.width = 0},
                                         {.width = 241},
                                         {.height = 321},
                                         {.height = -1},
@@ -262,6 +293,9 @@ TEST(DcsPanel, OptionsThatCannotBeAreRefusedAndNothingIsSent) {
                                         {.width = 100, .column_offset = INT32_MAX},
                                         {.te_line = 320},
                                         {.te_line = -1},
+                                        {.te = TearingEffect::vblank_and_hblank, .te_line = 1},
+                                        {.te = static_cast<TearingEffect>(3)},
+                                        {.rotation = static_cast<Rotation>(4)},
                                         {.bits_per_pixel = 0},
                                         {.bits_per_pixel = 3},
                                         {.bits_per_pixel = 16},

@@ -6,16 +6,14 @@
 namespace hal::baremetal {
 
 namespace {
-constexpr std::uintptr_t control = 0xE000'E010;
-constexpr std::uintptr_t reload = 0xE000'E014;
-constexpr std::uintptr_t current = 0xE000'E018;
+enum Offset : std::uintptr_t { control = 0x00, reload = 0x04, current = 0x08 };
 }  // namespace
 
 void SysTick::start() noexcept {
   constexpr std::uint32_t run_on_core_clock_with_interrupt = 7;
-  write_register(reload, cycles_ - 1);
-  write_register(current, 0);
-  write_register(control, run_on_core_clock_with_interrupt);
+  write_register(registers_ + reload, cycles_ - 1);
+  write_register(registers_ + current, 0);
+  write_register(registers_ + control, run_on_core_clock_with_interrupt);
 }
 
 void SysTick::on_interrupt() noexcept {
@@ -27,7 +25,7 @@ void SysTick::on_interrupt() noexcept {
 std::uint32_t SysTick::cycles() const noexcept {
   for (;;) {
     const std::uint32_t ticks = ticks_low_;
-    const std::uint32_t left = read_register(current);
+    const std::uint32_t left = read_register(registers_ + current);
     // At 0 a tick is due, and whether it has been counted isn't known.
     if (left != 0 && ticks_low_ == ticks) return ticks * cycles_ + (cycles_ - left);
   }

@@ -6,7 +6,8 @@
 // Rule: the VBLANK interrupt begins to send the frame asked for, the interrupt at the end of the transfer
 // says that it is out; until then its buffer counts as on display. Both are of the same priority, so neither
 // interrupts the other. A frame that isn't out at the next VBLANK keeps the one behind it waiting. All of it
-// is `hal::SwapProtocol`, explored in tests/present/interleavings.cpp. A bus slower than the beam tears on a
+// is `hal::SwapProtocol`, explored in tests/present/interleavings.cpp. Colours of a frame whose transfer
+// failed go out again with the next, which may bring none. A bus slower than the beam tears on a
 // panel that scans its memory meanwhile; where that matters, the transfer takes at most as long as
 // present/beam_race says.
 #pragma once
@@ -15,6 +16,7 @@
 #include <hal/panel.hpp>
 #include <hal/swap_protocol.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -61,20 +63,20 @@ class TransferPanel final : public Panel {
   /// The handler of the VBLANK (or of the tearing-effect line).
   void on_vblank() noexcept {
     requests_.on_vblank([this](int index, std::size_t count, const auto& colour) noexcept {
+      sent_ = std::max(count, owed_);
       std::array<std::uint8_t, 3 * most_colours> colours;  // What isn't written isn't read.
-      for (std::size_t i = 0; i < count; ++i) {
+      for (std::size_t i = 0; i < sent_; ++i) {
         const std::uint32_t rgb = colour(i);
         for (std::size_t part = 0; part < 3; ++part)
           colours[3 * i + part] = static_cast<std::uint8_t>(rgb >> (8U * part));
       }
-      if (transfer_->begin(do_buffer(index), std::span(colours).first(3 * count)).ok()) return;
-      ++failed_;
-      requests_.on_sent();
+      if (!transfer_->begin(do_buffer(index), std::span(colours).first(3 * sent_)).ok()) on_sent(false);
     });
   }
   /// The handler of the end of a transfer, whether it went well or not.
   void on_sent(bool well = true) noexcept {
     if (!well) ++failed_;
+    owed_ = well ? 0 : sent_;
     requests_.on_sent();
   }
 
@@ -120,7 +122,10 @@ class TransferPanel final : public Panel {
   FrameTransfer* transfer_;
   std::span<std::uint8_t> memory_;
   SwapProtocol<Cell, std::uint32_t, most_colours, Feed::sends, Guards> requests_{};
-  std::uint32_t failed_ = 0;  // Written by interrupts alone.
+  // Written by interrupts alone:
+  std::uint32_t failed_ = 0;
+  std::size_t sent_ = 0;  // Colours that went out with the last frame,
+  std::size_t owed_ = 0;  // and those of them that may not have arrived.
 };
 
 }  // namespace hal::baremetal

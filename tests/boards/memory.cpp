@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <vector>
 
+// The source is included, not linked: under their own names the functions would stand in for the C library's
+// in the whole program, and what checks them would run on them.
 #define memset board_memset
 #define memcpy board_memcpy
 #define memmove board_memmove

@@ -9,9 +9,11 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <csignal>
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <sys/time.h>
 
 namespace {
 
@@ -98,6 +100,55 @@ TEST(SysTick, CountsTicksAndSleepsUntilATime) {
   fake_core::on_sleep = nullptr;
   EXPECT_EQ(clock.now(), 4'000'000U) << "at or after the time, never before";
   clock.wait_until(4'000'000);
+}
+
+TEST(SysTick, StartsFromTheReloadValueWithItsInterruptOn) {
+  std::array<std::uint32_t, 3> registers{0, 0, 99};
+  SysTick clock(12'500'000, 12'500, address(registers));
+  clock.start();
+  EXPECT_EQ(registers, (std::array<std::uint32_t, 3>{7, 12'499, 0}));
+}
+
+TEST(SysTick, TellsTheCycleAndNeverGoesBack) {
+  std::array<std::uint32_t, 3> registers{};
+  std::uint32_t& left = registers[2];
+  SysTick clock(1'000'000, 1'000, address(registers));
+  std::uint32_t expected = 0;
+  for (int tick = 0; tick < 3; ++tick) {
+    // It is at 0 in the cycle in which a tick is due.
+    for (left = 999; left > 0; --left) ASSERT_EQ(clock.cycles(), ++expected);
+    ++expected;
+    clock.on_interrupt();
+  }
+}
+
+TEST(SysTick, CyclesWrapAt32Bits) {
+  std::array<std::uint32_t, 3> registers{0, 0, 1};
+  SysTick clock(1'000'000'000, 1U << 24U, address(registers));
+  for (int tick = 0; tick < 255; ++tick) clock.on_interrupt();
+  EXPECT_EQ(clock.cycles(), 0xFFFF'FFFFU);
+  clock.on_interrupt();
+  registers[2] = (1U << 24U) - 1U;
+  EXPECT_EQ(clock.cycles(), 1U);
+}
+
+/// Interrupted where it stands, as a processor is.
+std::array<volatile std::uint32_t, 3> interrupted_registers{};
+SysTick* interrupted = nullptr;
+void take_tick(int) {
+  interrupted->on_interrupt();
+  interrupted_registers[2] = 999;
+}
+
+TEST(SysTick, ATickThatIsDueIsWaitedFor) {
+  SysTick clock(1'000'000, 1'000, reinterpret_cast<std::uintptr_t>(interrupted_registers.data()));
+  interrupted = &clock;
+  interrupted_registers[2] = 0;
+  const auto before = std::signal(SIGALRM, take_tick);
+  const itimerval soon{{0, 0}, {0, 1'000}};
+  ASSERT_EQ(setitimer(ITIMER_REAL, &soon, nullptr), 0);
+  EXPECT_EQ(clock.cycles(), 1'001U);
+  std::signal(SIGALRM, before);
 }
 
 }  // namespace

@@ -89,6 +89,29 @@ TEST_F(Transfers, OneThatFailsIsCountedAndItsBufferFree) {
   EXPECT_EQ(panel.failed(), 2U);
 }
 
+TEST_F(Transfers, ColoursOfOneThatFailsGoOutWithTheNextOnes) {
+  const std::array<std::uint8_t, 9> three{1, 2, 3, 4, 5, 6, 7, 8, 9};
+  const std::array<std::uint8_t, 3> one{11, 12, 13};
+  wire.answer = {hal::Error::bus, hal::Part::bus};
+  ASSERT_TRUE(panel.show(1, three).ok());
+  panel.on_vblank();
+  ASSERT_TRUE(panel.show(0, one).ok());
+  panel.on_vblank();
+  wire.answer = {};
+  ASSERT_TRUE(panel.show(1, {}).ok());
+  panel.on_vblank();
+  const std::vector<std::uint8_t> joined{11, 12, 13, 4, 5, 6, 7, 8, 9};
+  EXPECT_EQ(wire.colours, joined);
+  panel.on_sent(false);
+  ASSERT_TRUE(panel.show(1, {}).ok());
+  panel.on_vblank();
+  EXPECT_EQ(wire.colours, joined) << "broken off";
+  panel.on_sent();
+  ASSERT_TRUE(panel.show(1, {}).ok());
+  panel.on_vblank();
+  EXPECT_TRUE(wire.colours.empty()) << "they have arrived";
+}
+
 TEST_F(Transfers, WaitingSleepsUntilTheVblank) {
   int sleeps = 0;
   fake_core::on_sleep = [&] {

@@ -11,6 +11,7 @@
 #include <hal/hid/host/hidapi.hpp>
 #include <hal/hid/host/mcp2221.hpp>
 #include <hal/hid/host/panel.hpp>
+#include <hal/hid/host/replug_panel.hpp>
 #include <hal/linux/monotonic_clock.hpp>
 #include <hal/panels/expanded_panel.hpp>
 #include <hal/panels/modules.hpp>
@@ -106,6 +107,8 @@ std::string size_of(const hal::Capabilities& c) {
   return std::to_string(c.width) + 'x' + std::to_string(c.height);
 }
 
+std::string reconnects_line(std::uint64_t count) { return "hid_reconnects " + std::to_string(count) + '\n'; }
+
 /// What all have: a port, and words for what went wrong with it.
 class HidAttached : public AttachedPanel {
  public:
@@ -115,6 +118,7 @@ class HidAttached : public AttachedPanel {
     return port_.description() + " over " + std::string(api_->name());
   }
   std::string fault() const override { return port_.fault(); }
+  std::string notices() override { return port_.take_notices(); }
   bool keep() override { return kept_ = true; }
 
  protected:
@@ -160,6 +164,11 @@ class OwnDisplay final : public HidAttached {
   std::string description() const override {
     return size_of(panel_->capabilities()) + ", " + HidAttached::description();
   }
+  std::string fault() const override {
+    if (std::string text = HidAttached::fault(); !text.empty()) return text;
+    return panel_->connected() ? port_.description() + " doesn't answer, or not as the protocol says"
+                               : port_.description() + " is back, but not as the display that it was";
+  }
   std::string counters() const override {
     const auto& l = link_.counters();
     const auto& p = panel_->counters();
@@ -167,10 +176,9 @@ class OwnDisplay final : public HidAttached {
     for (const auto& [key, value] : {std::pair{"reports", l.sent},
                                      {"reports_again", l.resent},
                                      {"frames_whole", p.whole},
-                                     {"frames_refused", p.rejected},
-                                     {"reconnects", p.reconnects}})
+                                     {"frames_refused", p.rejected}})
       text += "hid_" + std::string(key) + ' ' + std::to_string(value) + '\n';
-    return text;
+    return text + reconnects_line(p.reconnects);
   }
 
  private:
@@ -185,8 +193,10 @@ class KeyboardDisplay final : public HidAttached {
                   const AttachOptions& options)
       : HidAttached(api, std::move(device), Numbering::numbered),
         panel_(port_, &clock_, options.refresh_millihertz == 0 ? 30'000U : options.refresh_millihertz),
+        plugged_(
+            panel_, port_, clock_, [this] { return panel_.start(); }, replug_patience),
         input_(port_, kind),
-        seen_(seen(panel_, options)) {
+        seen_(seen(plugged_, options)) {
     if (!panel_.start().ok()) throw Failure(port_.fault());
   }
   ~KeyboardDisplay() override {
@@ -194,9 +204,11 @@ class KeyboardDisplay final : public HidAttached {
   }
   hal::Panel& panel() override { return seen_; }
   hal::Input* input() override { return &input_; }
+  std::string counters() const override { return reconnects_line(plugged_.reconnects()); }
 
  private:
   hal::hid::GamingLcd panel_;
+  hal::hid::ReplugPanel plugged_;
   hal::hid::LcdInput input_;
   hal::Panel& seen_;
 };
@@ -209,17 +221,28 @@ class BridgedDisplay final : public HidAttached {
         bus_(port_, clock_),
         commands_(bus_, address, module.i2c_framing),
         driver_(module.make(storage_, parts(options))),
-        seen_(seen(driver_, options)) {
+        plugged_(
+            driver_, port_, clock_, [this] { return start(); }, replug_patience),
+        seen_(seen(plugged_, options)) {
     if (!bus_.start().ok()) throw Failure(port_.description() + " doesn't answer");
-    if (!driver_.start().ok())
-      throw Failure("nothing answers at that address of the I2C bus behind " + port_.description());
+    if (!driver_.start().ok()) throw Failure(fault());
   }
   ~BridgedDisplay() override {
     if (!kept_) driver_.stop().ignore();
   }
   hal::Panel& panel() override { return seen_; }
+  std::string fault() const override {
+    std::string text = HidAttached::fault();
+    return text.empty() ? "nothing answers at that address of the I2C bus behind " + port_.description()
+                        : text;
+  }
+  std::string counters() const override { return reconnects_line(plugged_.reconnects()); }
 
  private:
+  hal::Status start() {
+    const hal::Status s = bus_.start();
+    return s.ok() ? driver_.start() : s;
+  }
   hal::panels::ModuleParts parts(const AttachOptions& options) {
     hal::panels::ModuleParts parts{&commands_, &clock_, nullptr, {}};
     parts.options.rotation = static_cast<hal::panels::Rotation>(options.rotate / 90);
@@ -233,6 +256,7 @@ class BridgedDisplay final : public HidAttached {
   hal::panels::I2cPort commands_;
   hal::panels::ModuleStorage storage_;
   hal::panels::BusPanel& driver_;
+  hal::hid::ReplugPanel plugged_;
   hal::Panel& seen_;
 };
 

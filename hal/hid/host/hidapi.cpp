@@ -18,6 +18,8 @@ namespace {
 using SteadyClock = std::chrono::steady_clock;
 
 constexpr std::size_t longest_report = 2048;
+/// As many as Linux keeps of those that a program doesn't read.
+constexpr std::size_t most_kept = 64;
 
 void append_utf8(std::string& text, std::uint32_t c) {
   const auto put = [&text](std::uint32_t byte) {
@@ -37,11 +39,13 @@ void append_utf8(std::string& text, std::uint32_t c) {
   }
 }
 
-/// What a device says of itself may be anything: control characters are left out.
+/// What a device says of itself may be anything: what a terminal would act on is left out.
 std::string utf8(const wchar_t* wide) {
+  constexpr wchar_t last_control = 0x9F;
   std::string text;
   for (; wide != nullptr && *wide != 0; ++wide)
-    if (*wide >= ' ' && *wide != 0x7F) append_utf8(text, static_cast<std::uint32_t>(*wide));
+    if (*wide >= ' ' && (*wide < 0x7F || *wide > last_control))
+      append_utf8(text, static_cast<std::uint32_t>(*wide));
   return text;
 }
 
@@ -123,6 +127,8 @@ std::vector<HidDevice> HidApi::devices(std::uint16_t vendor, std::uint16_t produ
   // All are asked for: the filter of some versions passes over devices whose parents lack an attribute.
   hid_device_info* const list = functions_->enumerate(0, 0);
   for (const hid_device_info* d = list; d != nullptr; d = d->next) {
+    // One that is only just being plugged in may have no file yet.
+    if (d->path == nullptr) continue;
     if ((vendor != 0 && d->vendor_id != vendor) || (product != 0 && d->product_id != product)) continue;
     all.push_back({d->path, utf8(d->serial_number), utf8(d->manufacturer_string), utf8(d->product_string),
                    d->vendor_id, d->product_id, d->usage_page, d->usage});
@@ -143,11 +149,16 @@ struct HidApiPort::Handle {
     f->close(device);
     --f->open;
   }
-  [[nodiscard]] bool alive(std::vector<std::uint8_t>& kept) const {
+  /// False once the device is gone. What it has said before hides that, so it is read and kept.
+  [[nodiscard]] bool alive(std::deque<std::vector<std::uint8_t>>& kept) const {
     std::array<std::uint8_t, longest_report> report{};
-    const int n = f->read_timeout(device, report.data(), report.size(), 0);
-    if (n > 0) kept.assign(report.begin(), report.begin() + n);
-    return n >= 0;
+    for (std::size_t i = 0; i <= most_kept; ++i) {
+      const int n = f->read_timeout(device, report.data(), report.size(), 0);
+      if (n <= 0) return n == 0;
+      if (kept.size() == most_kept) kept.pop_front();
+      kept.emplace_back(report.begin(), report.begin() + n);
+    }
+    return true;
   }
 
   HidApi::Functions* f;
@@ -181,37 +192,51 @@ std::span<const std::uint8_t> HidApiPort::framed(std::span<const std::uint8_t> r
   return out_;
 }
 
-Status HidApiPort::gone(const char* what) {
-  fault_ = description() + " was unplugged (" + what + ')';
+void HidApiPort::tell(const std::string& words) {
+  constexpr std::size_t enough = 4096;
+  if (notices_.size() < enough) notices_ += words + '\n';
+}
+
+Status HidApiPort::gone(const char* way) {
+  gone_ = description() + " was unplugged";
+  fault_ = gone_ + " (" + way + ')';
+  tell(fault_);
   handle_.reset();
   kept_.clear();
   return {Error::disconnected, Part::panel};
+}
+
+Status HidApiPort::refused(const char* what, const char* way) {
+  if (!handle_->alive(kept_)) return gone(way);
+  fault_ = description() + " takes no " + what;
+  return {Error::bus, Part::bus};
 }
 
 Status HidApiPort::do_send(std::span<const std::uint8_t> report) noexcept {
   if (!handle_) return {Error::disconnected, Part::panel};
   const auto bytes = framed(report);
   if (handle_->f->write(handle_->device, bytes.data(), bytes.size()) >= 0) return {};
-  if (kept_.empty() && !handle_->alive(kept_)) return gone("writing");
-  fault_ = description() + " takes no report";
-  return {Error::bus, Part::bus};
+  return refused("report", "writing");
 }
 
 Status HidApiPort::do_send_feature(std::span<const std::uint8_t> report) noexcept {
   if (!handle_) return {Error::disconnected, Part::panel};
   const auto bytes = framed(report);
   if (handle_->f->send_feature_report(handle_->device, bytes.data(), bytes.size()) >= 0) return {};
-  if (kept_.empty() && !handle_->alive(kept_)) return gone("writing a feature");
-  fault_ = description() + " takes no feature report";
-  return {Error::bus, Part::bus};
+  return refused("feature report", "writing a feature");
+}
+
+Status HidApiPort::do_look() noexcept {
+  if (!handle_) return {Error::disconnected, Part::panel};
+  return handle_->alive(kept_) ? Status{} : gone("reading");
 }
 
 Received HidApiPort::do_receive(std::span<std::uint8_t> report, Nanoseconds patience) noexcept {
   if (!handle_) return {{Error::disconnected, Part::panel}, 0};
   if (!kept_.empty()) {
-    const std::size_t size = std::min(kept_.size(), report.size());
-    std::copy_n(kept_.begin(), size, report.begin());
-    kept_.clear();
+    const std::size_t size = std::min(kept_.front().size(), report.size());
+    std::copy_n(kept_.front().begin(), size, report.begin());
+    kept_.pop_front();
     return {{}, size};
   }
   constexpr Nanoseconds most = 1'000'000'000'000;
@@ -231,20 +256,33 @@ Received HidApiPort::do_receive(std::span<std::uint8_t> report, Nanoseconds pati
 }
 
 Status HidApiPort::do_reopen() noexcept {
+  const bool away = handle_ == nullptr;
+  if (gone_.empty()) gone_ = description() + " is gone";
+  std::string why = " and isn't back";
   handle_.reset();
   kept_.clear();
   api_->look_again();
   for (const HidDevice& found : api_->devices(device_.vendor, device_.product_number)) {
-    if (found.serial != device_.serial) continue;
     // Of a device with several interfaces only one is ours; libusb tells of no usages.
     if (found.usage_page != device_.usage_page || found.usage != device_.usage) continue;
+    if (found.serial != device_.serial) {
+      why = " and isn't back; the one at " + found.path + " has another serial number: " + found.serial;
+      continue;
+    }
     auto handle = std::make_unique<Handle>(api_->functions(), found.path);
-    if (handle->device == nullptr) continue;
+    if (handle->device == nullptr) {
+      why = " and is back at " + found.path +
+            ", but can't be opened: " + utf8(api_->functions().error(nullptr));
+      continue;
+    }
     device_.path = found.path;
     handle_ = std::move(handle);
+    if (away) tell(description() + " is back");
     fault_.clear();
+    gone_.clear();
     return {};
   }
+  fault_ = gone_ + why;
   return {Error::disconnected, Part::panel};
 }
 

@@ -10,10 +10,12 @@
 #include <hal/hid/host/report_port.hpp>
 
 #include <cstdint>
+#include <deque>
 #include <memory>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace hal::hid {
@@ -82,6 +84,8 @@ class HidApiPort final : public ReportPort {
   [[nodiscard]] std::string description() const;
   /// What went wrong last, or "".
   [[nodiscard]] const std::string& fault() const { return fault_; }
+  /// That it was unplugged and is back: a line each, told once.
+  [[nodiscard]] std::string take_notices() { return std::exchange(notices_, {}); }
 
  private:
   struct Handle;
@@ -89,19 +93,25 @@ class HidApiPort final : public ReportPort {
   Status do_send(std::span<const std::uint8_t> report) noexcept override;
   Received do_receive(std::span<std::uint8_t> report, Nanoseconds patience) noexcept override;
   Status do_send_feature(std::span<const std::uint8_t> report) noexcept override;
+  Status do_look() noexcept override;
   Status do_reopen() noexcept override;
 
   std::span<const std::uint8_t> framed(std::span<const std::uint8_t> report);
-  Status gone(const char* what);
+  Status refused(const char* what, const char* way);
+  Status gone(const char* way);
+  void tell(const std::string& words);
 
   const HidApi* api_;
   HidDevice device_;
   Numbering numbering_;
   std::unique_ptr<Handle> handle_;
   std::vector<std::uint8_t> out_;
-  /// A report that came when only the life of the device was looked at.
-  std::vector<std::uint8_t> kept_;
+  /// Reports that came when only the life of the device was looked at.
+  std::deque<std::vector<std::uint8_t>> kept_;
   std::string fault_;
+  /// What is to be said of a device that is gone; "" while it is there.
+  std::string gone_;
+  std::string notices_;
 };
 
 }  // namespace hal::hid

@@ -69,8 +69,7 @@ class Link {
   /// Takes what the device has said so far. Errors: disconnected, bus.
   Status drain();
 
-  [[nodiscard]] Nanoseconds now() { return clock_->now(); }
-  void rest(Nanoseconds time) { clock_->wait_until(clock_->now() + time); }
+  [[nodiscard]] Clock& clock() { return *clock_; }
   [[nodiscard]] Nanoseconds patience() const { return options_.patience; }
   [[nodiscard]] const LinkCounters& counters() const { return counters_; }
 

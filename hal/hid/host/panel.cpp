@@ -1,11 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include <hal/hid/crc32.hpp>
 #include <hal/hid/host/panel.hpp>
+#include <hal/hid/host/patience.hpp>
 #include <hal/hid/run_length.hpp>
 
 #include <algorithm>
 
 namespace hal::hid {
+
+namespace {
+
+/// A frame may be refused after a fault of the device's memory, and the device may go away in mid-frame; a
+/// device that refuses whole frames, or keeps going away, is broken.
+constexpr int attempts = 8;
+
+}  // namespace
 
 HidPanel::HidPanel(Link& link, const HidPanelOptions& options)
     : link_(&link),
@@ -30,19 +39,12 @@ Status HidPanel::note(const Status& status) {
 }
 
 Status HidPanel::reconnect() {
-  constexpr Nanoseconds between_looks = 50'000'000;
-  const Nanoseconds until = link_->now() + options_.replug_patience;
-  for (;;) {
-    const Status s = link_->lost() ? link_->renew() : link_->reopen();
-    if (s.ok()) {
-      ++counters_.reconnects;
-      connected_ = true;
-      return {};
-    }
-    if (s.error() != Error::disconnected && s.error() != Error::timeout) return s;
-    if (link_->now() >= until) return {Error::disconnected, Part::panel};
-    link_->rest(between_looks);
-  }
+  const Status s = look_for_device(link_->clock(), options_.replug_patience,
+                                   [this] { return link_->lost() ? link_->renew() : link_->reopen(); });
+  if (!s.ok()) return s;
+  ++counters_.reconnects;
+  connected_ = true;
+  return {};
 }
 
 Status HidPanel::do_show(int index, std::span<const std::uint8_t> palette) noexcept {
@@ -58,9 +60,6 @@ Status HidPanel::do_load_palette(std::span<const std::uint8_t> palette) noexcept
 }
 
 Status HidPanel::present(std::span<const std::uint8_t> picture) {
-  // A frame may be refused after a fault of the device's memory, and the device may go away in mid-frame; a
-  // device that refuses whole frames is broken.
-  constexpr int attempts = 8;
   for (int attempt = 0; attempt < attempts; ++attempt) {
     if (!connected_)
       if (const Status s = reconnect(); !s.ok()) return s;
@@ -211,27 +210,21 @@ Status HidPanel::recover() {
 
 Status HidPanel::do_wait_for_vblank() noexcept {
   if (connected_) note(link_->drain()).ignore();
-  if (!connected_ || link_->lost())
-    if (const Status s = recover(); !s.ok()) return s;
-  std::uint32_t before = link_->state().vblanks;
-  Nanoseconds until = link_->now() + vblank_patience();
-  // A clock that leaps is no reason to give up: the device gets a few chances more to say something.
-  constexpr Nanoseconds chance = 20'000'000;
-  constexpr int chances = 8;
-  for (int late = 0; link_->state().vblanks == before || pending();) {
-    const Nanoseconds now = link_->now();
-    if (now >= until && ++late > chances) return {Error::timeout, Part::panel};
-    const Status s = note(link_->listen(now < until ? until - now : chance));
-    if (s.error() == Error::disconnected || link_->lost()) {
-      note({Error::disconnected, Part::panel}).ignore();
-      if (const Status r = recover(); !r.ok()) return r;
-      before = link_->state().vblanks;
-      until = link_->now() + vblank_patience();
-    } else if (!s.ok() && s.error() != Error::timeout) {
-      return s;
+  // A device that comes and goes is waited for as often as its picture is sent again.
+  for (int returns = 0; returns < attempts; ++returns) {
+    if (!connected_ || link_->lost())
+      if (const Status s = recover(); !s.ok()) return s;
+    const std::uint32_t before = link_->state().vblanks;
+    constexpr Nanoseconds chance = 20'000'000;
+    Patience patience(link_->clock(), vblank_patience());
+    while (connected_ && !link_->lost() && (link_->state().vblanks == before || pending())) {
+      if (patience.over()) return {Error::timeout, Part::panel};
+      const Status s = note(link_->listen(patience.left(chance)));
+      if (!s.ok() && s.error() != Error::timeout && s.error() != Error::disconnected) return s;
     }
+    if (connected_ && !link_->lost()) return {};
   }
-  return {};
+  return {Error::disconnected, Part::panel};
 }
 
 Keys HidInput::do_poll() noexcept {

@@ -36,6 +36,8 @@ class ReportPort {
   }
   /// Sends a feature report. Errors: bus, unsupported, disconnected.
   Status send_feature(std::span<const std::uint8_t> report) noexcept { return do_send_feature(report); }
+  /// Whether the device is still there; takes nothing that it says. Errors: disconnected.
+  [[nodiscard]] Status look() noexcept { return do_look(); }
   /// Looks for the same device again after it was disconnected. Errors: disconnected (it isn't there).
   Status reopen() noexcept { return do_reopen(); }
 
@@ -49,6 +51,7 @@ class ReportPort {
   virtual Status do_send_feature(std::span<const std::uint8_t>) noexcept {
     return {Error::unsupported, Part::bus};
   }
+  virtual Status do_look() noexcept { return {}; }
   virtual Status do_reopen() noexcept = 0;
 };
 

@@ -2,12 +2,11 @@
 //
 // A keyboard's display, modelled from what the device does with a report, not from the driver.
 #include <hal/hid/host/gaming_lcd.hpp>
-#include <hal/sim/virtual_clock.hpp>
+#include <tests/hal/hid/keyboard.hpp>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <deque>
 #include <random>
 #include <vector>
 
@@ -16,41 +15,8 @@ namespace {
 using hal::Key;
 using hal::hid::GamingLcd;
 using hal::hid::LcdInput;
-using Bytes = std::vector<std::uint8_t>;
-
-/// Shows the reports that it is sent; a test presses its keys.
-class Keyboard final : public hal::hid::ReportPort {
- public:
-  std::deque<Bytes> said;
-  bool plugged = true;
-  int reports = 0;
-  Bytes glass = Bytes(992, 0xAA);
-
-  /// 1 where a pixel is dark: byte 32 + x + 160 * (y / 8), bit y % 8.
-  [[nodiscard]] int pixel(int x, int y) const {
-    return glass[static_cast<std::size_t>(32 + x + 160 * (y / 8))] >> (y % 8) & 1;
-  }
-
- private:
-  hal::Status do_send(std::span<const std::uint8_t> report) noexcept override {
-    if (!plugged) return {hal::Error::disconnected, hal::Part::panel};
-    ++reports;
-    EXPECT_EQ(report.size(), 992U);
-    EXPECT_EQ(report[0], 3);
-    for (std::size_t i = 1; i < 32; ++i) EXPECT_EQ(report[i], 0);
-    glass.assign(report.begin(), report.end());
-    return {};
-  }
-  hal::hid::Received do_receive(std::span<std::uint8_t> report, hal::Nanoseconds) noexcept override {
-    if (!plugged) return {{hal::Error::disconnected, hal::Part::panel}, 0};
-    if (said.empty()) return {{hal::Error::timeout, hal::Part::bus}, 0};
-    const Bytes bytes = said.front();
-    said.pop_front();
-    std::copy_n(bytes.begin(), std::min(bytes.size(), report.size()), report.begin());
-    return {{}, std::min(bytes.size(), report.size())};
-  }
-  hal::Status do_reopen() noexcept override { return {}; }
-};
+using tests::hid::Bytes;
+using tests::hid::Keyboard;
 
 TEST(GamingLcd, ShowsEveryPixelWhereItBelongs) {
   Keyboard keyboard;
@@ -86,7 +52,7 @@ TEST(GamingLcd, TakesOnlyWholeFrames) {
 TEST(GamingLcd, SaysThatItIsGone) {
   Keyboard keyboard;
   GamingLcd panel(keyboard);
-  keyboard.plugged = false;
+  keyboard.cable.pull();
   EXPECT_EQ(panel.write({0, 0, 160, 43}, Bytes(20U * 43U), 20).error(), hal::Error::disconnected);
 }
 
@@ -127,7 +93,7 @@ TEST(GamingLcd, TellsTheKeysOfEachDevice) {
     keyboard.said.push_back({c.report[0], 0xFF});
     keyboard.said.push_back({});
     EXPECT_EQ(input.poll(), c.keys) << device->name;
-    keyboard.plugged = false;
+    keyboard.cable.pull();
     EXPECT_EQ(input.poll(), hal::Keys{});
   }
   EXPECT_EQ(hal::hid::lcd_device(0x1234), nullptr);

@@ -34,6 +34,7 @@ using intaglio::present::FrameCounts;
 using intaglio::present::FrameWriter;
 using intaglio::present::Late;
 using intaglio::present::Pace;
+using intaglio::present::Pacer;
 using intaglio::present::picture_window;
 using intaglio::present::start_window;
 using intaglio::present::StartWindow;
@@ -332,6 +333,78 @@ TEST(BeamChaser, GoesOnWhenSignalsDropOut) {
   EXPECT_NEAR(static_cast<double>(panel.refreshes), 399.0, 2.0);
 }
 
+/// Signals as a test wants them.
+struct Signals final : hal::VblankSource {
+  std::uint32_t number = 0;
+  Nanoseconds at = 0;
+  int waits = 0;
+
+ private:
+  std::uint32_t do_count() noexcept override { return number; }
+  hal::Status do_wait() noexcept override {
+    ++waits;
+    return {};
+  }
+  Nanoseconds do_last() noexcept override { return at; }
+};
+
+/// A chaser of a picture sent in one piece, which has seen a signal.
+struct Chase {
+  Chase() {
+    clock.advance(timing.refresh);
+    signals.number = 0xFFFF'FFFFU;
+    signals.at = timing.refresh;
+    EXPECT_TRUE(chaser.prepare({height, height, height}, Travel::along).ok());
+    first = aim();
+  }
+  std::uint32_t aim() { return chaser.aim(Pacer{1}).value(); }
+
+  BeamTiming timing = timing_of(ScanDirection::down, 2'000);
+  VirtualClock clock;
+  Signals signals;
+  BeamChaser chaser{clock, signals, timing};
+  std::uint32_t first = 0;
+};
+
+TEST(BeamChaser, CountsOfSignalsWrap) {
+  Chase chase;
+  chase.clock.advance(chase.timing.refresh);
+  chase.signals.number = 0;
+  chase.signals.at += chase.timing.refresh;
+  EXPECT_EQ(chase.aim(), chase.first + 1U);
+  EXPECT_EQ(chase.signals.waits, 0) << "0 isn't that none has come";
+}
+
+TEST(BeamChaser, GoesOnWhenTheSourceLeaps) {
+  Chase chase;
+  const Nanoseconds told = chase.signals.at;
+  for (const Nanoseconds leap : {Nanoseconds{0}, told - 1U, 1'000U * told}) {
+    chase.signals.at = leap;
+    EXPECT_EQ(chase.aim(), chase.first) << leap;
+  }
+  chase.clock.advance(3U * chase.timing.refresh);
+  chase.signals.at = told + 3U * chase.timing.refresh;
+  EXPECT_EQ(chase.aim(), chase.first + 3U);
+}
+
+TEST(BeamChaser, AimsAsFarAheadAsAPaceCanAsk) {
+  BeamTiming timing = timing_of(ScanDirection::down, 2'000);
+  timing.refresh = 1'000'000'000;
+  VirtualClock clock;
+  clock.advance(1'000'000'000'000'000'000);
+  Signals signals;
+  signals.number = 1;
+  signals.at = 1'000'000'000'000'000'000;
+  BeamChaser chaser(clock, signals, timing);
+  ASSERT_TRUE(chaser.prepare({height, height, height}, Travel::along).ok());
+  Pacer pacer{Pace(INT32_MAX)};
+  pacer.appeared(1);
+  EXPECT_EQ(chaser.aim(pacer).value(), 1U + INT32_MAX);
+  chaser.before_write(0, height);
+  hal::Clock& time = clock;
+  EXPECT_NEAR(static_cast<double>(time.now()), 1e18 + 2'147'483'647e9, 2e9);
+}
+
 TEST(BeamChaser, DropsOrShowsLateFramesAndCounts) {
   for (const Late late : {Late::show, Late::drop}) {
     const BeamTiming timing = timing_of(ScanDirection::up, 2'000);
@@ -402,7 +475,7 @@ TEST(BeamChaser, TimesThatCannotBeAreRefused) {
     EXPECT_EQ(status(bad), wrong);
   }
   BeamTiming bad = good;
-  bad.margin = 10'000'000'001U;
+  bad.margin = 1'000'000'001U;
   EXPECT_EQ(status(bad), wrong);
   bad = good;
   bad.scan_line = good.refresh / static_cast<Nanoseconds>(height) + 1U;

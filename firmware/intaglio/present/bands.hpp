@@ -7,6 +7,7 @@
 // surface that keeps the frame's coordinates, so it draws the same pixels and those outside the band are
 // clipped. The picture is the one a whole frame buffer would give, bit for bit, at the price of calling
 // again.
+// A frame that is due is sent at once, as by a `FrameWriter`, wherever the beam is.
 // With a beam chaser the bands follow the beam instead: rows from the bottom up, or columns, where the panel
 // is scanned that way; each is sent when the beam can't meet it.
 #pragma once

@@ -23,15 +23,18 @@ Status BeamChaser::prepare(const BandSizes& sizes, Travel travel) noexcept {
 }
 
 Status BeamChaser::synchronise() noexcept {
-  if (vblanks_->count() == 0)
+  // Once there was one, a count of 0 has wrapped.
+  if (!synchronised_ && vblanks_->count() == 0)
     if (const hal::Status s = vblanks_->wait(); !s.ok()) return to_status(s);
   const auto told = static_cast<std::int64_t>(vblanks_->last());
   if (!synchronised_) {
     number_ = vblanks_->count();
-  } else if (told > signal_) {
+  } else if (told > signal_ && told <= now()) {
     // To the nearest: signals come with a jitter.
     const auto half = static_cast<std::int64_t>(timing_.refresh / 2U);
     number_ += periods(std::max<std::int64_t>(told - signal_ - half, 0), timing_.refresh);
+  } else {
+    return {};
   }
   synchronised_ = true;
   signal_ = told;

@@ -8,7 +8,10 @@
 // aimed at show the old picture, it and those after the new one, unless a band comes too late (drawing or bus
 // took longer than was said): that is counted, for by then nothing can help. VBLANKs that the source didn't
 // tell (a line that dropped out) are reckoned from those it did: refresh numbers are whole refresh times
-// between signals, so they go on, too.
+// between signals, so they go on, too. A signal that the source says was before the last one, or is to come,
+// is none.
+// Bit budget: times of the clock are below 2^62 ns (146 years); a picture is aimed at most 2^31 refreshes of
+// 2^30 ns ahead, so sums stay below 2^63.
 #pragma once
 
 #include <hal/vblank.hpp>

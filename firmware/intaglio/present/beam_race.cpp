@@ -7,7 +7,7 @@ namespace intaglio::present {
 
 namespace {
 
-constexpr hal::Nanoseconds longest = 10'000'000'000U;
+constexpr hal::Nanoseconds longest = 1'000'000'000U;
 constexpr int most_lines = 1 << 20;
 
 constexpr std::int64_t time(hal::Nanoseconds t) noexcept { return static_cast<std::int64_t>(t); }

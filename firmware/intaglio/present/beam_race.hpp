@@ -15,8 +15,8 @@
 // last line at its earliest and the first at its latest; a slower one starts right behind the beam and must
 // be through before the beam, a refresh later, catches up: all of H lines take at most about refresh + (H -
 // 2) * scan_line, nearly two refreshes. A picture that is sent line after line is never torn if all its bands
-// keep their windows for the same refresh. Bit budget: times are at most 10^10 ns, lines at most 2^20, so
-// sums stay below 2^57 of 63 bits.
+// keep their windows for the same refresh. Bit budget: times are at most 10^9 ns, lines at most 2^20, so
+// sums stay below 2^54 of 63 bits.
 #pragma once
 
 #include <hal/clock.hpp>
@@ -26,7 +26,7 @@
 
 namespace intaglio::present {
 
-/// How fast beam, bus and program are. Nanoseconds, each at most 10^10.
+/// How fast beam, bus and program are. Nanoseconds, each at most 10^9.
 struct BeamTiming {
   hal::Nanoseconds refresh = 0;     ///< From a VBLANK signal to the next.
   hal::Nanoseconds first_line = 0;  ///< From the signal to the fetch of the first line.

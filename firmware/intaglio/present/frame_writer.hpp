@@ -7,9 +7,13 @@
 // the first frame is always sent whole, for what a panel holds at power-on is unknown.
 // Where the panel applies colours as pixels are written, new colours mean that all is sent again; whoever
 // brings colours is taken to bring new ones.
-// With a beam chaser a frame goes out in bands of whole lines behind the beam, those left out on which
-// nothing changed. The buffer keeps its picture from frame to frame, so a program need only draw what
-// changes.
+// A frame that is due is sent at once, wherever the beam is: when the program keeps its pace that is at the
+// beginning of a VBLANK, otherwise (and with the first frame) in the middle of a refresh, which then shows a
+// part of it. Holding it back until the next VBLANK would cost a panel without a VBLANK signal its rate, and
+// tear anyway where the bus is slower than the beam.
+// With a beam chaser nothing tears: a frame goes out in bands of whole lines behind the beam, those left out
+// on which nothing changed. The buffer keeps its picture from frame to frame, so a program need only draw
+// what changes.
 #pragma once
 
 #include <intaglio/present/band_cut.hpp>

@@ -8,20 +8,19 @@
 #include <hal/panels/ssd1306.hpp>
 #include <hal/sim/catalog.hpp>
 #include <hal/sim/virtual_clock.hpp>
+#include <tests/hal/turned_glass.hpp>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <memory>
-#include <random>
 #include <vector>
 
 namespace {
 
 using hal::Error;
 using hal::Part;
-using hal::Rect;
 using hal::Status;
 using hal::mock::Pattern;
 using hal::mock::StrictSsd0323;
@@ -35,41 +34,9 @@ using hal::panels::Ssd1306;
 /// Sends random rectangles, whole frames among them, and compares every pixel of the glass after each.
 template <class Model>
 void random_writes_show(hal::Panel& panel, const Model& model, unsigned seed, int rounds) {
-  SCOPED_TRACE(seed);
-  const hal::Capabilities& c = panel.capabilities();
-  Pattern expected = Pattern::blank(c.width, c.height);
-  ASSERT_EQ(model.displayed(), expected) << "cleared at the start";
   ASSERT_TRUE(model.on());
-  std::mt19937 random(seed);
-  const auto below = [&random](int limit) {
-    return static_cast<int>(random() % static_cast<unsigned>(limit));
-  };
-  const auto side = [&](int length, int alignment, int& begin, int& extent) {
-    const int first = below((length + alignment - 1) / alignment) * alignment;
-    begin = first;
-    extent = std::min((1 + below((length - first + alignment - 1) / alignment)) * alignment, length - first);
-  };
-  for (int round = 0; round < rounds; ++round) {
-    Rect area{0, 0, c.width, c.height};
-    if (round % 8 != 0) {
-      side(c.width, c.x_alignment, area.x, area.width);
-      side(c.height, c.y_alignment, area.y, area.height);
-    }
-    const int row_bytes = (area.width * c.bits_per_pixel + 7) / 8;
-    const int stride = row_bytes + below(3);
-    std::vector<std::uint8_t> pixels(static_cast<std::size_t>(stride * area.height));
-    for (std::uint8_t& byte : pixels) byte = static_cast<std::uint8_t>(random());
-    ASSERT_TRUE(panel.write(area, pixels, stride).ok());
-    for (int y = 0; y < area.height; ++y)
-      for (int x = 0; x < area.width; ++x) {
-        const int byte = pixels[static_cast<std::size_t>(y * stride + x * c.bits_per_pixel / 8)];
-        const int shift = 8 - c.bits_per_pixel - x * c.bits_per_pixel % 8;
-        expected.at(area.x + x, area.y + y) = byte >> shift & ((1 << c.bits_per_pixel) - 1);
-      }
-    const std::string difference = side_by_side(expected, model.displayed(), false);
-    ASSERT_TRUE(difference.empty()) << "round " << round << ": " << difference;
-    model.expect_idle();
-  }
+  glass::random_writes_show(panel, model, glass::Rotation::by_0, seed, rounds,
+                            [](int index, int, int) { return index; });
 }
 
 /// Breaks the wire at every transfer in turn: the driver must say so every time.

@@ -6,7 +6,7 @@
 #include <hal/sim/tearing.hpp>
 #include <intaglio/present/bands.hpp>
 #include <intaglio/present/frame_writer.hpp>
-#include <intaglio/present/swap_chain.hpp>
+#include <tests/present/scan_out.hpp>
 
 #include <gtest/gtest.h>
 
@@ -42,11 +42,10 @@ std::pair<int, int> seen(const hal::sim::Panel& panel) {
   return {picture.indices[0], picture.rgb[3]};
 }
 
-/// A chain in virtual time, whose frames show their number on the left and index 0 on the right.
-class Chain {
+/// A chain whose frames show their number on the left and index 0 on the right.
+class Chain : public scan_out::Stage<> {
  public:
-  explicit Chain(const Pace& pace, int buffers = 2)
-      : panel(paletted(2, 8, 8, buffers), clock), chain(panel, pace) {}
+  explicit Chain(const Pace& pace, int buffers = 2) : Stage(paletted(2, 8, 8, buffers), pace) {}
 
   /// Draws frame `n` for a time and presents it.
   void frame(int n, hal::Nanoseconds draw_time, std::span<const std::uint8_t> palette = {}) {
@@ -60,10 +59,6 @@ class Chain {
     ASSERT_TRUE(chain.present(std::move(begun).value(), palette).ok());
   }
   hal::Nanoseconds refresh() const { return panel.frame_time(); }
-
-  VirtualClock clock;
-  hal::sim::Panel panel;
-  SwapChain<Indexed8> chain;
 };
 
 TEST(LateFrames, AreShownAndTheRhythmBeginsAnew) {
@@ -164,9 +159,7 @@ TEST(LatestFrame, WithTwoBuffersWaitsLikeEveryFrame) {
 }
 
 TEST(LatestFrame, HasNoInterval) {
-  VirtualClock clock;
-  hal::sim::Panel panel(paletted(2, 2, 8, 3), clock);
-  EXPECT_EQ(SwapChain<Indexed8>(panel, Pace(2, Late::show, Order::latest)).status(),
+  EXPECT_EQ(Chain(Pace(2, Late::show, Order::latest), 3).chain.status(),
             Status(Error::mismatched, Argument::count));
 }
 

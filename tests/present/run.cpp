@@ -2,6 +2,7 @@
 #include <hal/sim/panel.hpp>
 #include <hal/sim/tearing.hpp>
 #include <intaglio/present/run.hpp>
+#include <tests/present/scan_out.hpp>
 
 #include <gtest/gtest.h>
 
@@ -50,6 +51,12 @@ class Waves {
   std::array<std::uint8_t, 6> palette_{};
 };
 
+/// The waves on a panel that scans out.
+struct Show : scan_out::Stage<> {
+  explicit Show(int bits = 8) : Stage(hal::sim::paletted(30, 21, bits)), app(chain.info()) {}
+  Waves app;
+};
+
 using Digests = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
 template <class Screen>
@@ -84,18 +91,15 @@ TEST(Run, AllKindsOfScreensShowTheSameFrames) {
 }
 
 TEST(Run, TheFrameIsOnDisplayWhenItIsTold) {
-  VirtualClock clock;
-  hal::sim::Panel panel(hal::sim::paletted(30, 21, 8), clock);
-  hal::sim::TearingDetector detector(panel);
-  SwapChain<Indexed8> chain(panel);
-  Waves app(chain.info());
-  const Status s = run(app, chain, 20, [&panel](std::uint32_t n) {
+  Show show;
+  hal::sim::TearingDetector detector(show.panel);
+  const Status s = run(show.app, show.chain, 20, [&panel = show.panel](std::uint32_t n) {
     EXPECT_EQ(panel.displayed().indices[0], (3U * n) & 255U);
     EXPECT_EQ(panel.vblank_count(), n + 1U) << "a frame a VBLANK";
   });
   EXPECT_TRUE(s.ok());
   EXPECT_EQ(detector.torn_refreshes(), 0U);
-  EXPECT_EQ(chain.missed_deadlines(), 0U);
+  EXPECT_EQ(show.chain.missed_deadlines(), 0U);
 }
 
 TEST(Run, FixedColoursEnterTheDigest) {
@@ -115,36 +119,27 @@ TEST(Run, FixedColoursEnterTheDigest) {
 }
 
 TEST(Run, EndsWithTheErrorOfTheProgramAndPresentsNothingOfIt) {
-  VirtualClock clock;
-  hal::sim::Panel panel(hal::sim::paletted(30, 21, 8), clock);
-  SwapChain<Indexed8> chain(panel);
-  Waves app(chain.info());
-  app.fails_at = 3;
+  Show show;
+  show.app.fails_at = 3;
   std::uint32_t told = 0;
-  EXPECT_EQ(run(app, chain, 10, [&told](std::uint32_t) { ++told; }),
+  EXPECT_EQ(run(show.app, show.chain, 10, [&told](std::uint32_t) { ++told; }),
             Status(Error::malformed, Argument::source));
   EXPECT_EQ(told, 3U);
-  EXPECT_EQ(panel.displayed().indices[0], 6);
-  EXPECT_TRUE(chain.begin().ok()) << "the frame went back";
+  EXPECT_EQ(show.panel.displayed().indices[0], 6);
+  EXPECT_TRUE(show.chain.begin().ok()) << "the frame went back";
 }
 
 TEST(Run, FalseEndsTheRun) {
-  VirtualClock clock;
-  hal::sim::Panel panel(hal::sim::paletted(30, 21, 8), clock);
-  SwapChain<Indexed8> chain(panel);
-  Waves app(chain.info());
+  Show show;
   std::uint32_t told = 0;
   const auto until_four = [&told](std::uint32_t) { return ++told < 4; };
-  EXPECT_TRUE(run(app, chain, 10, until_four).ok());
+  EXPECT_TRUE(run(show.app, show.chain, 10, until_four).ok());
   EXPECT_EQ(told, 4U);
 }
 
 TEST(Run, BadScreenIsAnErrorAtOnce) {
-  VirtualClock clock;
-  hal::sim::Panel panel(hal::sim::paletted(30, 21, 4), clock);
-  SwapChain<Indexed8> chain(panel);
-  Waves app(chain.info());
-  EXPECT_EQ(run(app, chain, 10), Status(Error::mismatched, Argument::panel));
+  Show show(4);
+  EXPECT_EQ(run(show.app, show.chain, 10), Status(Error::mismatched, Argument::panel));
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 // share of the segment and by the rounding on each axis: sqrt(2) * (1/512 + L * 2^-(bits + 1)), where
 // coordinates differ by up to L = 2^21 pixels. Bit budget: differences 2^29, products with parameters 2^62.
 // Textbook: section 2.9.2. Worst known inputs: the longest segments along a diagonal, and, with 16 bits,
-// segments through a corner, which are lost or found.
+// segments through a corner, which are lost or found; so may be what crosses a window of negative extent.
 #pragma once
 
 #include <intaglio/clip/line_window.hpp>

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
-#include <fcntl.h>
 #include <linux/i2c-dev.h>
 #include <linux/i2c.h>
 #include <new>
@@ -17,21 +16,13 @@ namespace {
 constexpr std::size_t longest_message = 8192;
 constexpr std::size_t least_message = 2;
 
-int open_device(System& system, const std::string& path) {
-  const int file = system.open(path.c_str(), O_RDWR);
-  if (file < 0) throw DeviceError(cannot_open(path, "I2C bus", errno));
-  return file;
-}
-
 bool too_long(int error) { return error == EMSGSIZE || error == EOPNOTSUPP || error == EINVAL; }
 
 }  // namespace
 
-I2cDevice::I2cDevice(const std::string& path, System& system)
-    : path_("I2C bus " + path), file_(system, open_device(system, path)) {
+I2cDevice::I2cDevice(const std::string& path, System& system) : file_(system, "I2C bus", path) {
   unsigned long functions = 0;
-  if (file_.control(I2C_FUNCS, functions) < 0)
-    throw DeviceError(path_ + (errno == ENOTTY ? " is no I2C bus" : ": " + error_text(errno)));
+  if (file_.control(I2C_FUNCS, functions) < 0) file_.refuse("its adapter can't be asked", errno);
   if ((functions & I2C_FUNC_I2C) != 0) {
     way_ = Way::messages;
     limit_ = longest_message;
@@ -42,7 +33,7 @@ I2cDevice::I2cDevice(const std::string& path, System& system)
     way_ = Way::bytes;
     limit_ = 2;
   } else {
-    throw DeviceError(path_ +
+    throw DeviceError(file_.name() +
                       ": its adapter can't write to displays (no I2C messages, no SMBus blocks or bytes)");
   }
 }
@@ -50,7 +41,7 @@ I2cDevice::I2cDevice(const std::string& path, System& system)
 Status I2cDevice::fail(std::uint8_t address, int error) {
   char place[8];
   std::snprintf(place, sizeof place, "0x%02x", static_cast<unsigned>(address));
-  const std::string start = path_ + ", address " + place + ": ";
+  const std::string start = file_.name() + ", address " + place + ": ";
   const Status status =
       error == ENXIO || error == EREMOTEIO ? Status{Error::bus, Part::bus} : status_of(error, Part::bus);
   if (error == ENXIO || error == EREMOTEIO) {
@@ -71,7 +62,9 @@ int I2cDevice::send_smbus(std::span<const std::uint8_t> prefix, std::span<const 
   call.read_write = I2C_SMBUS_WRITE;
   call.command = prefix[0];
   call.data = &data;
-  if (way_ == Way::blocks) {
+  if (bytes.empty()) {
+    call.size = I2C_SMBUS_BYTE;
+  } else if (way_ == Way::blocks) {
     call.size = I2C_SMBUS_I2C_BLOCK_DATA;
     data.block[0] = static_cast<std::uint8_t>(bytes.size());
     std::copy(bytes.begin(), bytes.end(), data.block + 1);
@@ -108,18 +101,21 @@ Status I2cDevice::do_write(std::uint8_t address, std::span<const std::uint8_t> p
     // An SMBus write needs its command byte.
     if (prefix.size() >= limit_ || (way_ != Way::messages && prefix.size() != 1U))
       return fail(address, EOPNOTSUPP);
-    do {
+    const std::size_t limit_before = limit_;
+    for (;;) {
       const std::size_t size = std::min(bytes.size(), limit_ - prefix.size());
       const int error = send(address, prefix, bytes.first(size));
       if (error == 0) {
         bytes = bytes.subspan(size);
+        if (bytes.empty()) return {};
       } else if (way_ == Way::messages && too_long(error) && size > 1U && limit_ > least_message) {
         limit_ = std::max((prefix.size() + size) / 2U, prefix.size() + 1U);
       } else if (error != EINTR) {
+        // If the length wasn't to blame, nothing was learned.
+        limit_ = limit_before;
         return fail(address, error);
       }
-    } while (!bytes.empty());
-    return {};
+    }
   } catch (const std::bad_alloc&) {
     return {Error::bus, Part::bus};
   }

@@ -9,8 +9,7 @@
 #pragma once
 
 #include <hal/bus.hpp>
-#include <hal/linux/system.hpp>
-#include <hal/linux/trouble.hpp>
+#include <hal/linux/device_file.hpp>
 
 #include <cstdint>
 #include <string>
@@ -34,8 +33,7 @@ class I2cDevice final : public I2cBus {
   int send_smbus(std::span<const std::uint8_t> prefix, std::span<const std::uint8_t> bytes);
   Status fail(std::uint8_t address, int error);
 
-  std::string path_;
-  File file_;
+  DeviceFile file_;
   Way way_ = Way::messages;
   std::size_t limit_ = 0;
   int address_ = -1;  // That the adapter was told last.

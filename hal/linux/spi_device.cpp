@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
-#include <fcntl.h>
 #include <linux/spi/spidev.h>
 
 namespace hal::linux_io {
@@ -13,12 +12,6 @@ namespace {
 
 constexpr std::size_t usual_limit = 4096;
 constexpr std::size_t least_limit = 16;
-
-int open_device(System& system, const std::string& path) {
-  const int file = system.open(path.c_str(), O_RDWR);
-  if (file < 0) throw DeviceError(cannot_open(path, "SPI device", errno));
-  return file;
-}
 
 std::size_t limit_of(System& system) {
   const std::string text = system.text_of("/sys/module/spidev/parameters/bufsiz");
@@ -30,11 +23,9 @@ std::size_t limit_of(System& system) {
 }  // namespace
 
 SpiDevice::SpiDevice(const std::string& path, const SpiOptions& options, System& system)
-    : name_("SPI device " + path), file_(system, open_device(system, path)), limit_(limit_of(system)) {
+    : file_(system, "SPI device", path), limit_(limit_of(system)) {
   const auto set = [&](unsigned long request, auto value, const std::string& what) {
-    if (file_.control(request, value) < 0)
-      throw DeviceError(name_ + (errno == ENOTTY ? " is no SPI device"
-                                                 : ": " + what + " can't be set: " + error_text(errno)));
+    if (file_.control(request, value) < 0) file_.refuse(what + " can't be set", errno);
   };
   set(SPI_IOC_WR_MODE, static_cast<std::uint8_t>(options.mode), "mode " + std::to_string(options.mode));
   set(SPI_IOC_WR_BITS_PER_WORD, std::uint8_t{8}, "a word of 8 bits");
@@ -42,6 +33,7 @@ SpiDevice::SpiDevice(const std::string& path, const SpiOptions& options, System&
 }
 
 Status SpiDevice::do_write(std::span<const std::uint8_t> bytes) noexcept {
+  const std::size_t limit_before = limit_;
   while (!bytes.empty()) {
     const std::size_t size = std::min(bytes.size(), limit_);
     const ssize_t written = file_.system().write(file_.number(), bytes.data(), size);
@@ -55,7 +47,9 @@ Status SpiDevice::do_write(std::span<const std::uint8_t> bytes) noexcept {
       limit_ = std::max(size / 2U, least_limit);
       continue;
     }
-    return fault_.note(name_, "a transfer failed", written < 0 ? errno : EIO, Part::bus);
+    // If the length wasn't to blame, nothing was learned.
+    limit_ = limit_before;
+    return file_.note("a transfer failed", written < 0 ? errno : EIO, Part::bus);
   }
   return {};
 }

@@ -8,8 +8,7 @@
 #pragma once
 
 #include <hal/bus.hpp>
-#include <hal/linux/system.hpp>
-#include <hal/linux/trouble.hpp>
+#include <hal/linux/device_file.hpp>
 
 #include <cstdint>
 #include <string>
@@ -26,17 +25,15 @@ class SpiDevice final : public SpiBus {
   /// `path` as "/dev/spidev0.0". Throws DeviceError.
   explicit SpiDevice(const std::string& path, const SpiOptions& options = {},
                      System& system = System::kernel());
-  [[nodiscard]] const std::string& fault() const noexcept { return fault_.text(); }
+  [[nodiscard]] const std::string& fault() const noexcept { return file_.fault(); }
   /// Bytes that go out in one transfer.
   [[nodiscard]] std::size_t transfer_limit() const noexcept { return limit_; }
 
  private:
   Status do_write(std::span<const std::uint8_t> bytes) noexcept override;
 
-  std::string name_;
-  File file_;
+  DeviceFile file_;
   std::size_t limit_;
-  Fault fault_;
 };
 
 }  // namespace hal::linux_io

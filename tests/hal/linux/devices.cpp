@@ -140,6 +140,14 @@ TEST(Spi, ADriverThatTakesLessThanItSaysIsFollowed) {
   }
 }
 
+TEST(Spi, ADriverThatTakesNothingTeachesNoLimit) {
+  Spidev kernel;
+  SpiDevice spi("/dev/spidev0.0", {}, kernel);
+  kernel.bufsiz = 0;
+  EXPECT_EQ(spi.write(counting(5'000)), Status(Error::bus, Part::bus));
+  EXPECT_EQ(spi.transfer_limit(), 4096U);
+}
+
 TEST(Spi, ShortTransfersAreGoneOnWith) {
   Spidev kernel;
   kernel.most_at_once = 37;
@@ -199,6 +207,7 @@ class I2cDev final : public OneDevice {
       *static_cast<unsigned long*>(argument) = functions;
       return 0;
     }
+    if (signals > 0 && signals-- > 0) return fail(EINTR);
     if (error != 0) return fail(error);
     if (request == I2C_RDWR) {
       const auto& call = *static_cast<i2c_rdwr_ioctl_data*>(argument);
@@ -211,7 +220,9 @@ class I2cDev final : public OneDevice {
     const auto& call = *static_cast<i2c_smbus_ioctl_data*>(argument);
     EXPECT_EQ(request, static_cast<unsigned long>(I2C_SMBUS));
     Bytes message{call.command};
-    if (call.size == I2C_SMBUS_BYTE_DATA) {
+    if (call.size == I2C_SMBUS_BYTE) {
+      // The command is all.
+    } else if (call.size == I2C_SMBUS_BYTE_DATA) {
       message.push_back(call.data->byte);
     } else {
       EXPECT_LE(call.data->block[0], I2C_SMBUS_BLOCK_MAX);
@@ -242,6 +253,7 @@ class I2cDev final : public OneDevice {
   int functions_error = 0;
   int slave_error = 0;
   int error = 0;
+  int signals = 0;  ///< Transfers that end early for one.
   unsigned long slave = 0;
   std::vector<Bytes> messages;
 };
@@ -285,6 +297,30 @@ TEST(I2c, AdaptersThatKnowSmbusAloneGetBlocksOrBytes) {
   I2cDev kernel;
   kernel.functions = 0;
   EXPECT_THAT(refusal([&] { I2cDevice("/dev/i2c-1", kernel); }), HasSubstr("I2C bus /dev/i2c-1"));
+}
+
+TEST(I2c, APrefixAloneIsATransactionToo) {
+  for (const unsigned long functions :
+       {static_cast<unsigned long>(I2C_FUNC_I2C), static_cast<unsigned long>(I2C_FUNC_SMBUS_WRITE_I2C_BLOCK),
+        static_cast<unsigned long>(I2C_FUNC_SMBUS_WRITE_BYTE_DATA)}) {
+    I2cDev kernel;
+    kernel.functions = functions;
+    I2cDevice i2c("/dev/i2c-1", kernel);
+    kernel.signals = 2;
+    EXPECT_TRUE(i2c.write(0x3C, {&memory, 1}, {}).ok());
+    EXPECT_THAT(kernel.messages, ElementsAre(Bytes{memory})) << "once, signals or not";
+  }
+}
+
+TEST(I2c, AnAdapterThatTakesNothingTeachesNoLimit) {
+  I2cDev kernel;
+  I2cDevice i2c("/dev/i2c-1", kernel);
+  const Bytes bytes = counting(1'000);
+  kernel.error = EINVAL;
+  EXPECT_FALSE(i2c.write(0x3C, {&memory, 1}, bytes).ok());
+  kernel.error = 0;
+  EXPECT_TRUE(i2c.write(0x3C, {&memory, 1}, bytes).ok());
+  EXPECT_EQ(kernel.messages.size(), 1U);
 }
 
 TEST(I2c, FaultsNameBusAndAddress) {

@@ -2,6 +2,7 @@
 //
 // libgpiod 2.x.
 #include <hal/linux/gpiod.hpp>
+#include <hal/linux/owned.hpp>
 
 #include <array>
 #include <cerrno>
@@ -10,17 +11,6 @@
 namespace hal::linux_io::gpiod {
 
 namespace {
-
-/// Objects of libgpiod, each with its way to be given back.
-template <auto release>
-struct Release {
-  template <class T>
-  void operator()(T* object) const noexcept {
-    release(object);
-  }
-};
-template <class T, auto release>
-using Owned = std::unique_ptr<T, Release<release>>;
 
 using LineInfo = Owned<gpiod_line_info, gpiod_line_info_free>;
 using ChipInfo = Owned<gpiod_chip_info, gpiod_chip_info_free>;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <hal/linux/kms_panel.hpp>
+#include <hal/linux/owned.hpp>
 
 #include <algorithm>
 #include <array>
@@ -12,16 +13,6 @@ namespace hal::linux_io {
 
 namespace {
 
-/// Objects of libdrm, each with its way to be given back.
-template <auto release>
-struct Release {
-  template <class T>
-  void operator()(T* object) const noexcept {
-    release(object);
-  }
-};
-template <class T, auto release>
-using Owned = std::unique_ptr<T, Release<release>>;
 using Resources = Owned<drmModeRes, drmModeFreeResources>;
 using Connector = Owned<drmModeConnector, drmModeFreeConnector>;
 using Encoder = Owned<drmModeEncoder, drmModeFreeEncoder>;
@@ -29,12 +20,9 @@ using Crtc = Owned<drmModeCrtc, drmModeFreeCrtc>;
 
 /// One more than flips need: a picture may wait behind a flip that is under way.
 constexpr std::size_t screen_buffers = 3;
-
-int open_card(System& system, const std::string& path) {
-  const int file = system.open(path.c_str(), O_RDWR);
-  if (file < 0) throw DeviceError(cannot_open(path, "graphics card", errno));
-  return file;
-}
+constexpr std::uint64_t bytes_per_pixel = 4;
+/// Of a buffer, in a machine of 32 bits too.
+constexpr std::uint64_t most_memory = std::uint64_t{1} << 31U;
 
 Connector plugged_in(int file, const drmModeRes& resources) {
   for (int i = 0; i < resources.count_connectors; ++i) {
@@ -45,22 +33,53 @@ Connector plugged_in(int file, const drmModeRes& resources) {
   return nullptr;
 }
 
-/// Which of the card's scan-out engines can drive a connector; below 0: none.
-int engine_for(int file, const drmModeRes& resources, const drmModeConnector& connector) {
-  for (int i = 0; i < connector.count_encoders; ++i) {
-    const Encoder encoder(drmModeGetEncoder(file, connector.encoders[i]));
-    if (encoder == nullptr) continue;
-    for (int engine = 0; engine < resources.count_crtcs; ++engine)
-      if ((encoder->possible_crtcs >> static_cast<unsigned>(engine) & 1U) != 0) return engine;
-  }
+/// The kernel tells engines in 32 bits.
+constexpr int most_engines = 32;
+
+std::uint32_t bit(int engine) { return std::uint32_t{1} << static_cast<unsigned>(engine); }
+
+/// The number of the engine that an encoder is driven by; below 0: none.
+int driver_of(const drmModeRes& resources, const drmModeEncoder& encoder) {
+  if (encoder.crtc_id == 0) return -1;
+  for (int i = 0; i < std::min(resources.count_crtcs, most_engines); ++i)
+    if (resources.crtcs[i] == encoder.crtc_id) return i;
   return -1;
 }
 
+/// Which of the card's scan-out engines is to drive a connector: the one that does, else one that drives no
+/// other screen, else any that can. Below 0: none.
+int engine_for(int file, const drmModeRes& resources, const drmModeConnector& connector) {
+  std::uint32_t used = 0;
+  for (int i = 0; i < resources.count_encoders; ++i) {
+    const Encoder encoder(drmModeGetEncoder(file, resources.encoders[i]));
+    const int engine = encoder == nullptr ? -1 : driver_of(resources, *encoder);
+    if (engine < 0) continue;
+    if (encoder->encoder_id == connector.encoder_id) return engine;
+    used |= bit(engine);
+  }
+  std::uint32_t possible = 0;
+  for (int i = 0; i < connector.count_encoders; ++i) {
+    const Encoder encoder(drmModeGetEncoder(file, connector.encoders[i]));
+    if (encoder != nullptr) possible |= encoder->possible_crtcs;
+  }
+  int any = -1;
+  for (int i = std::min(resources.count_crtcs, most_engines) - 1; i >= 0; --i) {
+    if ((possible & bit(i)) == 0) continue;
+    if (any < 0 || (used & bit(i)) == 0 || (used & bit(any)) != 0) any = i;
+  }
+  return any;
+}
+
 /// Refreshes a second times 1000, from the mode's own clock where it has one.
-std::uint32_t refresh_of(const drmModeModeInfo& mode) {
-  const std::uint64_t pixels = static_cast<std::uint64_t>(mode.htotal) * mode.vtotal;
-  if (mode.clock != 0 && pixels != 0) return static_cast<std::uint32_t>(mode.clock * 1'000'000ULL / pixels);
-  return mode.vrefresh == 0 ? 60'000U : mode.vrefresh * 1000U;
+std::uint64_t refresh_of(const drmModeModeInfo& mode) {
+  std::uint64_t pixels = static_cast<std::uint64_t>(mode.htotal) * mode.vtotal;
+  if (mode.clock == 0 || pixels == 0) return mode.vrefresh * 1000ULL;
+  // Of an interlaced mode every other line is shown in a refresh; of others each may be shown several times.
+  std::uint64_t clock = mode.clock;
+  if ((mode.flags & DRM_MODE_FLAG_INTERLACE) != 0) clock *= 2;
+  if ((mode.flags & DRM_MODE_FLAG_DBLSCAN) != 0) pixels *= 2;
+  if (mode.vscan > 1) pixels *= mode.vscan;
+  return clock * 1'000'000U / pixels;
 }
 
 }  // namespace
@@ -74,21 +93,24 @@ struct DumbBuffer {
 };
 
 struct KmsPanel::Screen {
-  const File& file;
+  const DeviceFile& file;
   std::uint32_t connector = 0;
   std::uint32_t engine = 0;
   int engine_index = 0;
   drmModeModeInfo mode{};
+  Extent size;
   Crtc before;  // As it was found.
   std::array<DumbBuffer, screen_buffers> buffers{};
+  std::array<Picture, screen_buffers> pictures{};  // That they were drawn from.
 
-  Screen(const File& card, const std::string& name) : file(card) {
+  explicit Screen(const DeviceFile& card) : file(card) {
     const int number = file.number();
+    const std::string& name = file.name();
     const Resources resources(drmModeGetResources(number));
-    if (resources == nullptr)
-      throw DeviceError(name + (errno == EOPNOTSUPP || errno == EINVAL || errno == ENOTTY
-                                    ? " has no screens"
-                                    : ": its screens can't be listed: " + error_text(errno)));
+    if (resources == nullptr) {
+      if (errno == EOPNOTSUPP || errno == EINVAL) throw DeviceError(name + " has no screens");
+      file.refuse("its screens can't be listed", errno);
+    }
     const Connector found = plugged_in(number, *resources);
     if (found == nullptr) throw DeviceError(name + ": no screen is plugged in");
     engine_index = engine_for(number, *resources, *found);
@@ -96,12 +118,13 @@ struct KmsPanel::Screen {
     connector = found->connector_id;
     engine = resources->crtcs[engine_index];
     mode = found->modes[0];  // The one the screen prefers.
+    size = checked_size(file, mode.hdisplay, mode.vdisplay);
     std::uint64_t dumb = 0;
     if (drmGetCap(number, DRM_CAP_DUMB_BUFFER, &dumb) != 0 || dumb == 0)
       throw DeviceError(name + ": its driver has no buffers that programs can draw in");
     before.reset(drmModeGetCrtc(number, engine));
     try {
-      for (DumbBuffer& buffer : buffers) make(buffer, name);
+      for (DumbBuffer& buffer : buffers) make(buffer);
       if (drmModeSetCrtc(number, engine, buffers[0].id, 0, 0, &connector, 1, &mode) != 0)
         throw DeviceError(name + ": the screen can't be had: " + error_text(errno) +
                           (errno == EACCES || errno == EPERM || errno == EBUSY
@@ -124,25 +147,28 @@ struct KmsPanel::Screen {
     drop();
   }
 
-  void make(DumbBuffer& buffer, const std::string& name) {
-    const auto fail = [&name](const char* what) {
-      throw DeviceError(name + ": " + what + ": " + error_text(errno));
-    };
+  void make(DumbBuffer& buffer) {
     drm_mode_create_dumb create{};
     create.width = mode.hdisplay;
     create.height = mode.vdisplay;
-    create.bpp = 32;
-    if (drmIoctl(file.number(), DRM_IOCTL_MODE_CREATE_DUMB, &create) != 0) fail("a buffer can't be made");
+    create.bpp = 8 * bytes_per_pixel;
+    if (drmIoctl(file.number(), DRM_IOCTL_MODE_CREATE_DUMB, &create) != 0)
+      file.refuse("a buffer can't be made", errno);
     buffer.handle = create.handle;
     buffer.stride = create.pitch;
+    const std::uint64_t row = bytes_per_pixel * static_cast<std::uint64_t>(mode.hdisplay);
+    if (create.pitch < row || create.size / create.pitch < mode.vdisplay || create.size > most_memory)
+      throw DeviceError(file.name() + ": its driver says that a buffer has " + std::to_string(create.size) +
+                        " bytes in rows of " + std::to_string(create.pitch) + ", which can't be");
     if (drmModeAddFB(file.number(), mode.hdisplay, mode.vdisplay, 24, 32, create.pitch, create.handle,
                      &buffer.id) != 0)
-      fail("a buffer can't be shown");
+      file.refuse("a buffer can't be shown", errno);
     drm_mode_map_dumb map{};
     map.handle = create.handle;
-    if (drmIoctl(file.number(), DRM_IOCTL_MODE_MAP_DUMB, &map) != 0) fail("a buffer can't be mapped");
-    void* const memory = file.system().map(file.number(), create.size, static_cast<off_t>(map.offset));
-    if (memory == nullptr) fail("a buffer can't be mapped");
+    if (drmIoctl(file.number(), DRM_IOCTL_MODE_MAP_DUMB, &map) != 0)
+      file.refuse("a buffer can't be mapped", errno);
+    void* const memory = file.system().map(file.number(), create.size, map.offset);
+    if (memory == nullptr) file.refuse("a buffer can't be mapped", errno);
     buffer.memory = {static_cast<std::uint8_t*>(memory), create.size};
     std::ranges::fill(buffer.memory, std::uint8_t{0});
   }
@@ -175,146 +201,138 @@ std::vector<std::string> kms_screens(const std::string& path, System& system) {
   return screens;
 }
 
-namespace {
-
-Extent screen_size(const drmModeModeInfo& mode) { return {mode.hdisplay, mode.vdisplay}; }
-
-Extent picture_size(Extent asked, Extent screen, const std::string& name) {
-  if (asked == Extent{}) return screen;
-  if (asked.width < 1 || asked.height < 1 || asked.width > screen.width || asked.height > screen.height)
-    throw DeviceError(name + ": its screen has " + std::to_string(screen.width) + 'x' +
-                      std::to_string(screen.height) + " pixels, too few for " + std::to_string(asked.width) +
-                      'x' + std::to_string(asked.height));
-  return asked;
-}
-
-}  // namespace
-
 KmsPanel::KmsPanel(const std::string& path, Extent picture, System& system)
-    : name_("graphics card " + path),
-      file_(system, open_card(system, path)),
-      screen_(std::make_unique<Screen>(file_, name_)),
-      placement_(picture_size(picture, screen_size(screen_->mode), name_), screen_size(screen_->mode)),
-      palette_(PixelLayout{}),
-      ticks_(&clock_, refresh_of(screen_->mode)) {
-  const Extent size = placement_.picture();
-  capabilities_.width = size.width;
-  capabilities_.height = size.height;
-  capabilities_.bits_per_pixel = 8;
-  capabilities_.palette_entries = 256;
-  capabilities_.buffers = buffers;
-  capabilities_.refresh_millihertz = refresh_of(screen_->mode);
-  std::uint32_t count = 0;
-  tells_vblanks_ = query_vblank(false, count);
-  capabilities_.vblank_signal = tells_vblanks_;
-  memory_.resize(static_cast<std::size_t>(buffers) * static_cast<std::size_t>(size.width) *
-                 static_cast<std::size_t>(size.height));
+    : ScreenPanel(system, "graphics card", path),
+      screen_(std::make_unique<Screen>(file_)),
+      ticks_(&clock(), likely_refresh(refresh_of(screen_->mode))) {
+  set_up(picture, screen_->size, likely_refresh(refresh_of(screen_->mode)), query_vblank(false));
 }
 
 KmsPanel::~KmsPanel() {
-  // A flip under way would outlive its buffer.
+  // A flip under way would outlive its buffer, and keep the screen from being given back.
   constexpr int longest_refresh = 100;
+  waiting_.reset();
   take_events(longest_refresh).ignore();
 }
 
-std::span<std::uint8_t> KmsPanel::do_buffer(int index) noexcept {
-  const std::size_t size = memory_.size() / static_cast<std::size_t>(buffers);
-  return std::span(memory_).subspan(static_cast<std::size_t>(index) * size, size);
-}
-
-void KmsPanel::draw(int index, std::size_t on) noexcept {
-  DumbBuffer& buffer = screen_->buffers[on];
-  placement_.draw(do_buffer(index), palette_, buffer.memory, buffer.stride);
+void KmsPanel::draw_on(std::size_t buffer, const Picture& picture) noexcept {
+  DumbBuffer& on = screen_->buffers.at(buffer);
+  screen_->pictures.at(buffer) = picture;
+  draw(picture, PixelPalette(PixelLayout{}, picture.colours), on.memory, on.stride);
 }
 
 Status KmsPanel::flip(std::size_t to) noexcept {
-  if (drmModePageFlip(file_.number(), screen_->engine, screen_->buffers[to].id, DRM_MODE_PAGE_FLIP_EVENT,
+  if (drmModePageFlip(file_.number(), screen_->engine, screen_->buffers.at(to).id, DRM_MODE_PAGE_FLIP_EVENT,
                       this) != 0)
-    return fault_.note(name_, "a page flip failed", errno, Part::buffer);
+    return file_.note("a page flip failed", errno, Part::buffer);
   flipping_ = to;
   return {};
 }
 
 Status KmsPanel::do_show(int index, std::span<const std::uint8_t> palette) noexcept {
   take_events(0).ignore();
-  palette_.load(palette);
-  shown_index_ = index;
+  if (const Status s = take_lost(); !s.ok()) return s;
+  Picture next = asked_;
+  next.buffer = index;
+  next.load(palette);
   std::size_t free = 0;
   while (free == shown_ || free == flipping_) ++free;
-  draw(index, free);
-  if (flipping_ == shown_) return flip(free);
-  waiting_ = free;
+  draw_on(free, next);
+  replaced_ = waiting_.has_value();
+  if (flipping_) {
+    waiting_ = free;
+  } else if (const Status s = flip(free); !s.ok()) {
+    return s;
+  }
+  asked_ = next;
   return {};
 }
 
 void KmsPanel::flipped() noexcept {
+  if (!flipping_) return;
   ++flips_;
-  const bool another = waiting_ != shown_;
-  shown_ = flipping_;
-  if (another) flip(waiting_).ignore();  // What fails is said by the next call: `fault_` has it.
-  waiting_ = shown_;
+  shown_ = *std::exchange(flipping_, std::nullopt);
+  if (const auto next = std::exchange(waiting_, std::nullopt)) lost_ = flip(*next);
 }
 
 Status KmsPanel::take_events(int milliseconds) noexcept {
-  if (flipping_ == shown_) return {};
+  if (!flipping_) return {};
   drmEventContext handlers{};
   handlers.version = 2;
   handlers.page_flip_handler = [](int, unsigned, unsigned, unsigned, void* panel) {
     static_cast<KmsPanel*>(panel)->flipped();
   };
+  constexpr Nanoseconds millisecond = 1'000'000;
+  const Nanoseconds end = clock().now() + static_cast<Nanoseconds>(milliseconds) * millisecond;
   pollfd ready{file_.number(), POLLIN, 0};
-  const int come = file_.system().poll(&ready, 1, milliseconds);
-  if (come < 0)
-    return errno == EINTR ? Status{}
-                          : fault_.note(name_, "waiting for a page flip failed", errno, Part::buffer);
+  int come = 0;
+  for (int left = milliseconds;;) {
+    come = file_.system().poll(&ready, 1, left);
+    if (come >= 0 || errno != EINTR) break;
+    // A signal ended it early.
+    const Nanoseconds now = clock().now();
+    left = now < end ? static_cast<int>((end - now) / millisecond) : 0;
+  }
+  if (come < 0) return file_.note("waiting for a page flip failed", errno, Part::buffer);
   if (come == 0)
-    return milliseconds == 0 ? Status{}
-                             : fault_.note(name_, "a page flip didn't happen", ETIMEDOUT, Part::buffer);
+    return milliseconds == 0 ? Status{} : file_.note("a page flip didn't happen", ETIMEDOUT, Part::buffer);
   if ((ready.revents & POLLIN) == 0)
-    return fault_.note(name_, "waiting for a page flip failed", ENODEV, Part::buffer);
+    return file_.note("waiting for a page flip failed", ENODEV, Part::buffer);
   if (drmHandleEvent(file_.number(), &handlers) != 0)
-    return fault_.note(name_, "reading of a page flip failed", errno, Part::buffer);
+    return file_.note("reading of a page flip failed", errno, Part::buffer);
   return {};
 }
 
 bool KmsPanel::do_show_pending() noexcept {
   take_events(0).ignore();
-  return flipping_ != shown_;
+  return flipping_.has_value();
 }
 
-Status KmsPanel::do_write(const Rect&, std::span<const std::uint8_t>, int) noexcept {
-  return {Error::unsupported, Part::buffer};
+int KmsPanel::do_on_display() noexcept {
+  take_events(0).ignore();
+  return screen_->pictures.at(shown_).buffer;
 }
 
 Status KmsPanel::do_load_palette(std::span<const std::uint8_t> palette) noexcept {
-  palette_.load(palette);
-  draw(shown_index_, waiting_ != shown_ ? waiting_ : flipping_);
+  asked_.load(palette);
+  for (const std::optional<std::size_t> buffer : {std::optional(shown_), flipping_, waiting_}) {
+    if (!buffer) continue;
+    Picture picture = screen_->pictures.at(*buffer);
+    picture.load(palette);
+    draw_on(*buffer, picture);
+  }
   return {};
 }
 
-bool KmsPanel::query_vblank(bool wait, std::uint32_t& count) noexcept {
+bool KmsPanel::query_vblank(bool wait) noexcept {
   drmVBlank vblank{};
   const auto high = static_cast<unsigned>(screen_->engine_index) << DRM_VBLANK_HIGH_CRTC_SHIFT;
   vblank.request.type =
       static_cast<drmVBlankSeqType>(DRM_VBLANK_RELATIVE | (high & DRM_VBLANK_HIGH_CRTC_MASK));
   vblank.request.sequence = wait ? 1 : 0;
   if (drmWaitVBlank(file_.number(), &vblank) != 0) return false;
-  count = vblank.reply.sequence;
+  count_ = vblank.reply.sequence;
   return true;
 }
 
 std::uint32_t KmsPanel::do_vblank_count() noexcept {
-  std::uint32_t count = 0;
-  return tells_vblanks_ && query_vblank(false, count) ? count : ticks_.count();
+  if (!tells_vblanks()) return ticks_.count();
+  // What goes wrong here is told by the next wait; meanwhile no VBLANK is known.
+  static_cast<void>(query_vblank(false));
+  return count_;
 }
 
 Status KmsPanel::do_wait_for_vblank() noexcept {
+  if (const Status s = take_lost(); !s.ok()) return s;
   constexpr int longest = 1000;
-  if (flipping_ != shown_) return take_events(longest);
-  std::uint32_t count = 0;
-  if (!tells_vblanks_) return ticks_.wait();
-  if (query_vblank(true, count)) return {};
-  return fault_.note(name_, "waiting for the VBLANK failed", errno, Part::panel);
+  if (flipping_) {
+    const Status s = take_events(longest);
+    return s.ok() ? take_lost() : s;
+  }
+  if (!tells_vblanks()) return ticks_.wait();
+  if (query_vblank(true)) return {};
+  // The kernel's word for a VBLANK that doesn't come.
+  return file_.note("waiting for the VBLANK failed", errno == EBUSY ? ETIMEDOUT : errno, Part::panel);
 }
 
 }  // namespace hal::linux_io

@@ -8,8 +8,9 @@ namespace hal::linux_io {
 namespace {
 
 std::uint32_t placed(std::uint8_t value, const PixelLayout::Channel& channel) noexcept {
+  // Of a channel with more bits the upper ones.
   const unsigned bits = std::min(channel.bits, 8U);
-  return static_cast<std::uint32_t>(value) >> (8U - bits) << channel.shift;
+  return static_cast<std::uint32_t>(value) >> (8U - bits) << (channel.shift + channel.bits - bits);
 }
 
 void put(std::uint8_t* at, std::uint32_t pixel, int bytes) noexcept {
@@ -18,11 +19,25 @@ void put(std::uint8_t* at, std::uint32_t pixel, int bytes) noexcept {
 
 }  // namespace
 
-void PixelPalette::load(std::span<const std::uint8_t> rgb) noexcept {
+bool PixelLayout::possible() const noexcept {
+  const auto inside = [size = static_cast<unsigned>(bytes) * 8U](const Channel& channel) {
+    return channel.bits <= size && channel.shift <= size - channel.bits && channel.shift < size;
+  };
+  return inside(red) && inside(green) && inside(blue);
+}
+
+PixelPalette::PixelPalette(const PixelLayout& layout, std::span<const std::uint8_t> rgb) noexcept
+    : bytes_(layout.bytes) {
   const std::size_t entries = std::min(rgb.size() / 3U, pixels_.size());
   for (std::size_t i = 0; i < entries; ++i)
-    pixels_[i] = placed(rgb[3U * i], layout_.red) | placed(rgb[3U * i + 1U], layout_.green) |
-                 placed(rgb[3U * i + 2U], layout_.blue);
+    pixels_[i] = placed(rgb[3U * i], layout.red) | placed(rgb[3U * i + 1U], layout.green) |
+                 placed(rgb[3U * i + 2U], layout.blue);
+}
+
+PixelPalette PixelPalette::indices() noexcept {
+  PixelPalette themselves(1);
+  for (std::uint32_t i = 0; i < 256; ++i) themselves.pixels_[i] = i;
+  return themselves;
 }
 
 Placement::Placement(Extent picture, Extent screen) noexcept
@@ -33,7 +48,7 @@ Placement::Placement(Extent picture, Extent screen) noexcept
 
 void Placement::draw(std::span<const std::uint8_t> indices, const PixelPalette& palette,
                      std::span<std::uint8_t> screen, std::size_t screen_stride) const noexcept {
-  const int bytes = palette.layout().bytes;
+  const int bytes = palette.bytes();
   const auto width = static_cast<std::size_t>(picture_.width);
   const std::size_t row_bytes = width * static_cast<std::size_t>(scale_ * bytes);
   for (int y = 0; y < picture_.height; ++y) {

@@ -21,19 +21,25 @@ struct PixelLayout {
   Channel red{16, 8};
   Channel green{8, 8};
   Channel blue{0, 8};
+
+  /// False: a channel isn't inside the pixel.
+  [[nodiscard]] bool possible() const noexcept;
 };
 
-/// The colours of 256 indices as pixels of a layout.
+/// What 256 indices are in pixels of a layout.
 class PixelPalette {
  public:
-  explicit PixelPalette(const PixelLayout& layout) noexcept : layout_(layout) {}
-  /// Colours from entry 0 on, RGBRGB….
-  void load(std::span<const std::uint8_t> rgb) noexcept;
+  /// The colours of entries from 0 on, RGBRGB…; the others are 0. The layout is `possible`.
+  PixelPalette(const PixelLayout& layout, std::span<const std::uint8_t> rgb) noexcept;
+  /// Pixels that are looked up: a byte that is its own index.
+  static PixelPalette indices() noexcept;
   [[nodiscard]] std::uint32_t pixel(std::uint8_t index) const noexcept { return pixels_[index]; }
-  [[nodiscard]] const PixelLayout& layout() const noexcept { return layout_; }
+  /// Bytes of a pixel.
+  [[nodiscard]] int bytes() const noexcept { return bytes_; }
 
  private:
-  PixelLayout layout_;
+  explicit PixelPalette(int bytes) noexcept : bytes_(bytes) {}
+  int bytes_;
   std::array<std::uint32_t, 256> pixels_{};
 };
 
@@ -46,6 +52,7 @@ struct Extent {
 /// Where a picture lies on a screen that is at least as large.
 class Placement {
  public:
+  /// Neither is empty.
   Placement(Extent picture, Extent screen) noexcept;
   [[nodiscard]] int scale() const noexcept { return scale_; }
   [[nodiscard]] Extent picture() const noexcept { return picture_; }

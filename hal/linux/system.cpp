@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <hal/linux/monotonic_clock.hpp>
 #include <hal/linux/system.hpp>
 
 #include <fcntl.h>
@@ -23,8 +24,11 @@ int System::poll(pollfd* files, unsigned count, int milliseconds) {
   return ::poll(files, count, milliseconds);
 }
 
-void* System::map(int file, std::size_t size, off_t offset) {
-  void* const memory = ::mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_SHARED, file, offset);
+void* System::map(int file, std::size_t size, std::uint64_t offset) {
+  // Graphics drivers give offsets beyond 4 GiB to programs of 32 bits, too.
+  static_assert(sizeof(off_t) == sizeof offset, "build with _FILE_OFFSET_BITS=64");
+  void* const memory =
+      ::mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_SHARED, file, static_cast<off_t>(offset));
   return memory == MAP_FAILED ? nullptr : memory;
 }
 
@@ -35,6 +39,11 @@ std::string System::text_of(const std::string& path) {
   std::string text;
   std::getline(file, text);
   return text;
+}
+
+Clock& System::clock() {
+  static MonotonicClock clock;
+  return clock;
 }
 
 System& System::kernel() {

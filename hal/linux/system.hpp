@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
 // The calls of the kernel that drivers of device files make, as an object, so that tests can stand in for the
-// kernel.
+// kernel and its clock.
 //
 // Rule: each call is the system call of its name: -1 and `errno` on failure, nothing retried.
 #pragma once
 
+#include <hal/clock.hpp>
+
 #include <cstddef>
+#include <cstdint>
 #include <poll.h>
 #include <string>
 #include <sys/types.h>
@@ -29,10 +32,12 @@ class System {
   virtual ssize_t write(int file, const void* bytes, std::size_t size);
   virtual int poll(pollfd* files, unsigned count, int milliseconds);
   /// Memory of a device, shared, for reading and writing; null on failure.
-  virtual void* map(int file, std::size_t size, off_t offset);
+  virtual void* map(int file, std::size_t size, std::uint64_t offset);
   virtual void unmap(void* memory, std::size_t size);
   /// What a small file (of /sys) holds, "" if it can't be read.
   virtual std::string text_of(const std::string& path);
+  /// CLOCK_MONOTONIC.
+  virtual Clock& clock();
 
   /// The kernel itself.
   static System& kernel();

@@ -16,7 +16,12 @@ std::unique_ptr<Card> the_card = std::make_unique<Card>();
 constexpr int file_number = 9;
 constexpr std::uint32_t connector_id = 31;
 constexpr std::uint32_t encoder_id = 32;
-constexpr std::uint32_t engine_id = 33;
+constexpr std::uint32_t other_encoder_id = 33;
+constexpr std::uint32_t first_engine_id = 40;
+
+std::uint32_t engine_id(int engine) {
+  return engine == none ? 0U : first_engine_id + static_cast<std::uint32_t>(engine);
+}
 
 int fail(int error) {
   errno = error;
@@ -60,11 +65,16 @@ int Kernel::close(int) {
   return 0;
 }
 int Kernel::poll(pollfd* files, unsigned, int milliseconds) {
+  if (milliseconds > 0 && card().signals > 0) {
+    --card().signals;
+    time.advance(1'000'000);
+    return fail(EINTR);
+  }
   if (card().events.empty() && milliseconds > 0) card().vblank();
   files->revents = card().events.empty() ? 0 : POLLIN;
   return card().events.empty() ? 0 : 1;
 }
-void* Kernel::map(int, std::size_t, off_t offset) {
+void* Kernel::map(int, std::size_t, std::uint64_t offset) {
   ++card().maps;
   return card().buffers.at(static_cast<std::uint32_t>(offset >> 12)).memory.data();
 }
@@ -90,6 +100,8 @@ int drmIoctl(int, unsigned long request, void* argument) {
     create.pitch = create.width * 4U + 64U;
     create.size = static_cast<std::uint64_t>(create.pitch) * create.height;
     card().buffers[create.handle] = {create.pitch, std::vector<std::uint8_t>(create.size, 0x77)};
+    if (card().pitch_lie != 0) create.pitch = card().pitch_lie;
+    if (card().size_lie != 0) create.size = card().size_lie;
     return 0;
   }
   if (request == DRM_IOCTL_MODE_MAP_DUMB) {
@@ -107,15 +119,21 @@ drmModeRes* drmModeGetResources(int) {
     return nullptr;
   }
   auto* const all = zeroed<drmModeRes>();
-  all->count_connectors = all->count_crtcs = 1;
+  all->count_connectors = 1;
+  all->count_encoders = 2;
+  all->count_crtcs = card().engines;
   all->connectors = zeroed<std::uint32_t>();
-  all->crtcs = zeroed<std::uint32_t>();
+  all->encoders = zeroed<std::uint32_t>(2);
+  all->crtcs = zeroed<std::uint32_t>(static_cast<std::size_t>(card().engines));
   *all->connectors = fake_card::connector_id;
-  *all->crtcs = fake_card::engine_id;
+  all->encoders[0] = fake_card::other_encoder_id;
+  all->encoders[1] = fake_card::encoder_id;
+  for (int i = 0; i < card().engines; ++i) all->crtcs[i] = fake_card::engine_id(i);
   return all;
 }
 void drmModeFreeResources(drmModeRes* all) {
   std::free(all->connectors);
+  std::free(all->encoders);
   std::free(all->crtcs);
   std::free(all);
 }
@@ -128,7 +146,12 @@ drmModeConnector* drmModeGetConnector(int, uint32_t id) {
   connector->modes = zeroed<drmModeModeInfo>();
   connector->modes->hdisplay = static_cast<std::uint16_t>(card().width);
   connector->modes->vdisplay = static_cast<std::uint16_t>(card().height);
-  connector->modes->vrefresh = 60;
+  connector->modes->vrefresh = card().refresh;
+  connector->modes->clock = card().clock;
+  connector->modes->htotal = card().total_width;
+  connector->modes->vtotal = card().total_height;
+  connector->modes->flags = card().mode_flags;
+  connector->encoder_id = card().driven_by == fake_card::none ? 0U : fake_card::encoder_id;
   connector->count_encoders = 1;
   connector->encoders = zeroed<std::uint32_t>();
   *connector->encoders = fake_card::encoder_id;
@@ -140,9 +163,12 @@ void drmModeFreeConnector(drmModeConnector* connector) {
   std::free(connector);
 }
 
-drmModeEncoder* drmModeGetEncoder(int, uint32_t) {
+drmModeEncoder* drmModeGetEncoder(int, uint32_t id) {
   auto* const encoder = zeroed<drmModeEncoder>();
-  encoder->possible_crtcs = 1;
+  encoder->encoder_id = id;
+  encoder->possible_crtcs = (1U << static_cast<unsigned>(card().engines)) - 1U;
+  const bool ours = id == fake_card::encoder_id;
+  encoder->crtc_id = fake_card::engine_id(ours ? card().driven_by : card().other_driven_by);
   return encoder;
 }
 void drmModeFreeEncoder(drmModeEncoder* encoder) { std::free(encoder); }
@@ -157,9 +183,11 @@ void drmModeFreeCrtc(drmModeCrtc* engine) { std::free(engine); }
 
 int drmModeSetCrtc(int, uint32_t engine, uint32_t frame, uint32_t, uint32_t, uint32_t*, int,
                    drmModeModeInfo*) {
-  if (engine != fake_card::engine_id) return fail(ENOENT);
+  if (engine < fake_card::first_engine_id) return fail(ENOENT);
+  if (card().flip_to != 0) return fail(EBUSY);
   if (card().set_error != 0) return fail(card().set_error);
   card().shown = frame;
+  card().engine = static_cast<int>(engine - fake_card::first_engine_id);
   return 0;
 }
 
@@ -176,7 +204,7 @@ int drmModeRmFB(int, uint32_t id) {
 }
 
 int drmModePageFlip(int, uint32_t, uint32_t frame, uint32_t flags, void* data) {
-  if (card().flip_error != 0) return fail(card().flip_error);
+  if (card().flip_error != 0 && card().flips_left-- <= 0) return fail(card().flip_error);
   if (card().flip_to != 0) return fail(EBUSY);
   if (flags != DRM_MODE_PAGE_FLIP_EVENT || !card().frame_buffers.contains(frame)) return fail(EINVAL);
   card().flip_to = frame;
@@ -193,6 +221,7 @@ int drmHandleEvent(int, drmEventContext* handlers) {
 
 int drmWaitVBlank(int, drmVBlank* vblank) {
   if (!card().tells_vblanks) return fail(EOPNOTSUPP);
+  if (card().vblank_error != 0) return fail(card().vblank_error);
   for (unsigned i = 0; i < vblank->request.sequence; ++i) card().vblank();
   vblank->reply.sequence = card().sequence;
   return 0;

@@ -63,6 +63,13 @@ struct DcsOptions {
   std::span<std::uint8_t> workspace{};
 };
 
+/// How the beam spends a refresh, in times of a line.
+struct BeamLines {
+  int before = 0;  ///< From the VBLANK signal to the picture's first line.
+  int total = 0;   ///< From a VBLANK signal to the next.
+  friend constexpr bool operator==(const BeamLines&, const BeamLines&) noexcept = default;
+};
+
 class DcsPanel : public BusPanel {
  public:
   static constexpr int memory_width = 240;
@@ -107,5 +114,14 @@ class DcsPanel : public BusPanel {
   int row_shift_ = 0;
   Rgb565Palette palette_;
 };
+
+/// The beam of a controller that rests for so many lines between the last row of its memory and the first; it
+/// goes through all rows, whatever part of them the glass shows. `te_line` is 0. Nothing for a glass that
+/// `start` refuses.
+[[nodiscard]] constexpr BeamLines beam_lines(const DcsOptions& o, int blank_lines) noexcept {
+  constexpr int rows = DcsPanel::memory_height;
+  if (o.height < 1 || o.height > rows || o.row_offset < 0 || o.row_offset > rows - o.height) return {};
+  return {blank_lines + (o.scan_up ? rows - o.row_offset - o.height : o.row_offset), blank_lines + rows};
+}
 
 }  // namespace hal::panels

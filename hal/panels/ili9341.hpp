@@ -18,6 +18,9 @@ inline constexpr Ili9341Options ili9341_240x320{.mirrored = true, .bgr = true, .
 inline constexpr Ili9341Options ili9341_320x240{
     .rotation = Rotation::by_90, .mirrored = true, .bgr = true, .refresh_millihertz = 61'000};
 
+/// Lines between two pictures: the porches as they are after a reset.
+inline constexpr int ili9341_blank_lines = 4;
+
 class Ili9341 final : public DcsPanel {
  public:
   /// `vblank` counts the pulses of the TE line; null: frames follow the clock. Everything outlives the panel.

@@ -32,26 +32,35 @@ int beyond(int own, int more) noexcept {
   return more >= 0 && more < DcsPanel::memory_height ? own + more : -1;
 }
 
-template <class Driver, const DcsOptions& module>
-BusPanel& make_dcs(ModuleStorage& storage, const ModuleParts& parts) noexcept {
+DcsOptions dcs_options(const DcsOptions& module, const ModuleOptions& used) noexcept {
   DcsOptions options = module;
-  const auto turns = static_cast<unsigned>(module.rotation) + static_cast<unsigned>(parts.options.rotation);
+  const auto turns = static_cast<unsigned>(module.rotation) + static_cast<unsigned>(used.rotation);
   options.rotation = static_cast<Rotation>(turns % 4U);
-  options.invert = module.invert != parts.options.negative;
-  options.te = parts.options.te;
-  options.te_line = parts.options.te_line;
-  options.scan_up = parts.options.scan_up;
-  options.refresh_millihertz = refresh_of(parts, module.refresh_millihertz);
-  options.contrast = parts.options.contrast.value_or(module.contrast);
-  options.workspace = parts.options.workspace;
-  const ModuleGlass& glass = parts.options.glass;
+  options.invert = module.invert != used.negative;
+  options.te = used.te;
+  options.te_line = used.te_line;
+  options.scan_up = used.scan_up;
+  if (used.refresh_millihertz != 0) options.refresh_millihertz = used.refresh_millihertz;
+  options.contrast = used.contrast.value_or(module.contrast);
+  options.workspace = used.workspace;
+  const ModuleGlass& glass = used.glass;
   if (glass.width != 0) options.width = glass.width;
   if (glass.height != 0) options.height = glass.height;
   options.column_offset = beyond(module.column_offset, glass.column_offset);
   options.row_offset = beyond(module.row_offset, glass.row_offset);
   options.mirrored = module.mirrored != glass.mirrored;
   options.bgr = module.bgr != glass.bgr;
-  return place<Driver>(storage, *parts.port, *parts.clock, parts.vblank, options);
+  return options;
+}
+
+template <class Driver, const DcsOptions& module>
+BusPanel& make_dcs(ModuleStorage& storage, const ModuleParts& parts) noexcept {
+  return place<Driver>(storage, *parts.port, *parts.clock, parts.vblank, dcs_options(module, parts.options));
+}
+
+template <const DcsOptions& module, int blank_lines>
+BeamLines beam_of(const ModuleOptions& options) noexcept {
+  return beam_lines(dcs_options(module, options), blank_lines);
 }
 
 BusPanel& make_ssd1322(ModuleStorage& storage, const ModuleParts& parts) noexcept {
@@ -90,6 +99,7 @@ constexpr auto table = std::to_array<Module>({
      .spi = true,
      .te = true,
      .any_glass = true,
+     .beam = beam_of<st7789_240x320, st7789_blank_lines>,
      .make = make_dcs<St7789, st7789_240x320>},
     {.name = "st7789-240x240",
      .description = "the same with a square glass",
@@ -98,6 +108,7 @@ constexpr auto table = std::to_array<Module>({
      .spi = true,
      .te = true,
      .any_glass = true,
+     .beam = beam_of<st7789_240x240, st7789_blank_lines>,
      .make = make_dcs<St7789, st7789_240x240>},
     {.name = "st7789-135x240",
      .description = "the same with a narrow glass",
@@ -106,6 +117,7 @@ constexpr auto table = std::to_array<Module>({
      .spi = true,
      .te = true,
      .any_glass = true,
+     .beam = beam_of<st7789_135x240, st7789_blank_lines>,
      .make = make_dcs<St7789, st7789_135x240>},
     {.name = "ili9341",
      .description = "ILI9341 TFT, 256 of 65536 colours",
@@ -115,6 +127,7 @@ constexpr auto table = std::to_array<Module>({
      .te = true,
      .any_glass = true,
      .refresh_millihertz = 61'000,
+     .beam = beam_of<ili9341_240x320, ili9341_blank_lines>,
      .make = make_dcs<Ili9341, ili9341_240x320>},
     {.name = "ili9341-320x240",
      .description = "the same on its side",
@@ -124,6 +137,7 @@ constexpr auto table = std::to_array<Module>({
      .te = true,
      .any_glass = true,
      .refresh_millihertz = 61'000,
+     .beam = beam_of<ili9341_320x240, ili9341_blank_lines>,
      .make = make_dcs<Ili9341, ili9341_320x240>},
     {.name = "ssd1322",
      .description = "SSD1322 OLED, 16 greys",

@@ -91,6 +91,8 @@ struct Module {
   bool any_glass = false;
   /// Its own frames a second times 1000.
   std::uint32_t refresh_millihertz = 60'000;
+  /// How its beam goes; null where it has no TE output.
+  BeamLines (*beam)(const ModuleOptions& options) noexcept = nullptr;
   /// Makes the driver in `storage`, whose last driver ends.
   BusPanel& (*make)(ModuleStorage& storage, const ModuleParts& parts) noexcept = nullptr;
 };

@@ -19,6 +19,9 @@ inline constexpr St7789Options st7789_240x240{.height = 240, .invert = true};
 inline constexpr St7789Options st7789_135x240{
     .width = 135, .height = 240, .column_offset = 52, .row_offset = 40, .invert = true};
 
+/// Lines between two pictures: the porches that the driver sets.
+inline constexpr int st7789_blank_lines = 24;
+
 class St7789 final : public DcsPanel {
  public:
   /// `vblank` counts the pulses of the TE line; null: frames follow the clock. Everything outlives the panel.

@@ -8,6 +8,8 @@
 
 #include <hal/input.hpp>
 #include <hal/panel.hpp>
+#include <hal/vblank.hpp>
+#include <intaglio/present/beam_race.hpp>
 
 #include <cstdint>
 #include <memory>
@@ -45,6 +47,13 @@ struct AttachOptions {
   std::uint32_t refresh_millihertz = 0;  ///< Where the panel doesn't tell it; 0: its usual.
 };
 
+/// What it takes to send frames behind a panel's beam.
+struct Beam {
+  hal::Clock* clock = nullptr;
+  hal::VblankSource* vblanks = nullptr;
+  intaglio::present::BeamTiming timing{};
+};
+
 class AttachedPanel {
  public:
   AttachedPanel() = default;
@@ -54,6 +63,9 @@ class AttachedPanel {
   virtual ~AttachedPanel() = default;
 
   [[nodiscard]] virtual hal::Panel& panel() = 0;
+  /// How bus and beam race, measured now, which takes some tenths of a second; to be called before the first
+  /// frame. None: the panel has nothing to race, or doesn't tell when.
+  [[nodiscard]] virtual std::optional<Beam> beam() { return std::nullopt; }
   /// The panel's keys; null if it has none.
   [[nodiscard]] virtual hal::Input* input() { return nullptr; }
   /// "st7789, 240x320, on SPI device /dev/spidev0.0"

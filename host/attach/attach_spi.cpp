@@ -10,10 +10,12 @@
 #include <hal/panels/modules.hpp>
 #include <hal/panels/reset_line.hpp>
 #include <host/attach/backend.hpp>
+#include <host/attach/beam.hpp>
 #include <host/failure.hpp>
 
 #include <array>
 #include <optional>
+#include <utility>
 
 namespace host {
 
@@ -74,6 +76,7 @@ class Wires {
     if (!te_ && !options_->te.empty()) te_.emplace(line(options_->te), clock_, refresh_millihertz);
     return te_ ? &*te_ : nullptr;
   }
+  [[nodiscard]] hal::linux_io::TeLine* te() { return te_ ? &*te_ : nullptr; }
   [[nodiscard]] const hal::linux_io::TeLine* te() const { return te_ ? &*te_ : nullptr; }
   [[nodiscard]] std::string take_notices() { return te_ ? te_->take_notices() : std::string(); }
 
@@ -164,8 +167,9 @@ class WiredPanel final : public AttachedPanel {
  public:
   WiredPanel(const AttachOptions& options, const Module& module)
       : options_(options),
+        module_(&module),
         wires_(options_, module.i2c_address, module.i2c_framing),
-        driver_(module.make(storage_, parts_of(module))) {
+        driver_(module.make(storage_, parts_of())) {
     if (options_.dither) {
       if (driver_.capabilities().palette_entries > 0)
         throw Failure(options_.panel + " has colours of its own: --dither is for panels of greys");
@@ -192,16 +196,50 @@ class WiredPanel final : public AttachedPanel {
     return options_.panel + ", " + std::to_string(c.width) + 'x' + std::to_string(c.height) + ", on " +
            wires_.description();
   }
-  std::string notices() override { return wires_.take_notices(); }
+  std::optional<Beam> beam() override {
+    hal::linux_io::TeLine* const te = wires_.te();
+    if (te == nullptr || module_->beam == nullptr) return std::nullopt;
+    const std::optional<hal::Nanoseconds> refresh = measured_refresh(*te);
+    // A timer knows nothing of the beam.
+    if (!refresh || te->silent()) return std::nullopt;
+    const std::optional<BusTimes> bus = measured_bus(driver_, wires_.clock());
+    if (!bus) return std::nullopt;
+    timing_ = beam_timing(module_->beam(use()), *refresh, *bus);
+    const hal::Capabilities& c = driver_.capabilities();
+    const std::string notice = tearing_notice(*timing_, c, clocked_bus());
+    if (!notice.empty()) notices_ += options_.panel + ": " + notice;
+    return Beam{&wires_.clock(), te, *timing_};
+  }
+  std::string notices() override { return std::exchange(notices_, {}) + wires_.take_notices(); }
   std::string fault() const override { return wires_.fault(); }
   std::string counters() const override {
-    return wires_.te() == nullptr ? std::string()
-                                  : "te_silences " + std::to_string(wires_.te()->silences()) + '\n';
+    const auto line = [](const char* key, std::uint64_t value) {
+      return std::string(key) + ' ' + std::to_string(value) + '\n';
+    };
+    std::string all;
+    if (wires_.te() != nullptr) all += line("te_silences", wires_.te()->silences());
+    if (timing_)
+      all += line("refresh_ns", timing_->refresh) + line("bus_line_ns", timing_->bus_line) +
+             line("bus_write_ns", timing_->bus_band);
+    return all;
   }
   bool keep() override { return kept_ = true; }
 
  private:
-  hal::panels::ModuleParts parts_of(const Module& module) {
+  hal::panels::ModuleOptions use() {
+    hal::panels::ModuleOptions use;
+    use.refresh_millihertz = options_.refresh_millihertz;
+    use.glass = glass_of(options_, *module_);
+    use.rotation = rotation_of(options_);
+    use.negative = options_.invert;
+    if (options_.contrast) use.contrast = static_cast<std::uint8_t>(*options_.contrast);
+    if (wires_.te() != nullptr) use.te = hal::panels::TearingEffect::vblank;
+    use.workspace = workspace_;
+    return use;
+  }
+
+  hal::panels::ModuleParts parts_of() {
+    const Module& module = *module_;
     if (!options_.i2c.empty() && !module.i2c) throw Failure(options_.panel + " has no I2C");
     if (options_.i2c.empty() && !module.spi) throw Failure(options_.panel + " has no SPI");
     if (!options_.te.empty() && !module.te)
@@ -211,23 +249,29 @@ class WiredPanel final : public AttachedPanel {
     parts.clock = &wires_.clock();
     const std::uint32_t asked = options_.refresh_millihertz;
     parts.vblank = wires_.te(asked == 0 ? module.refresh_millihertz : asked);
-    parts.options.refresh_millihertz = asked;
-    parts.options.glass = glass_of(options_, module);
-    parts.options.rotation = rotation_of(options_);
-    parts.options.negative = options_.invert;
-    if (options_.contrast) parts.options.contrast = static_cast<std::uint8_t>(*options_.contrast);
-    if (parts.vblank != nullptr) parts.options.te = hal::panels::TearingEffect::vblank;
-    parts.options.workspace = workspace_;
+    parts.options = use();
     return parts;
   }
 
+  /// The bus of which a user could change the clock.
+  [[nodiscard]] ClockedBus clocked_bus() const {
+    const hal::Capabilities& c = driver_.capabilities();
+    const bool columns = c.scan == hal::ScanDirection::left || c.scan == hal::ScanDirection::right;
+    constexpr int bits_of_pixel = 16;  // Only TFTs have a TE line.
+    return {options_.spi.empty() ? 0U : options_.spi_hertz,
+            static_cast<std::uint32_t>((columns ? c.height : c.width) * bits_of_pixel)};
+  }
+
   AttachOptions options_;
+  const Module* module_;
   Wires wires_;
   std::array<std::uint8_t, 4096> workspace_{};  // As much as spidev takes at once.
   hal::panels::ModuleStorage storage_;
   hal::panels::BusPanel& driver_;
   std::array<std::uint8_t, 1024> expansion_{};
   std::optional<hal::panels::ExpandedPanel> expanded_;
+  std::optional<intaglio::present::BeamTiming> timing_;
+  std::string notices_;
   bool kept_ = false;
 };
 

@@ -4,10 +4,13 @@
 //
 // Rule: a frame appears at the VBLANK that its program was last told of before it sent the first pixel (write
 // panels) or found its request fulfilled (scan-out panels). Frame n is due `interval` VBLANKs after frame
-// n-1.
+// n-1; a frame that was dropped for being late is passed over. What is sent behind the beam appears in the
+// refresh that its chaser aimed it at, and VBLANKs are asked for when its first pixel is sent, so that those
+// before belong to frames before.
 #pragma once
 
 #include <hal/panel.hpp>
+#include <intaglio/present/beam_chaser.hpp>
 
 #include <cstdint>
 #include <string>
@@ -16,20 +19,24 @@ namespace host {
 
 class MeteredPanel final : public hal::Panel {
  public:
-  MeteredPanel(hal::Panel& panel, int interval)
-      : panel_(&panel), interval_(static_cast<std::uint32_t>(interval)) {}
+  /// `chaser`: of the frames, if they are sent behind the beam.
+  MeteredPanel(hal::Panel& panel, int interval, const intaglio::present::BeamChaser* chaser = nullptr)
+      : panel_(&panel), chaser_(chaser), interval_(static_cast<std::uint32_t>(interval)) {}
 
   /// The program's frame is on display.
   void frame_shown();
+  /// It isn't, being too late.
+  void frame_dropped();
 
   [[nodiscard]] std::uint32_t frames() const { return frames_; }
   /// From the first frame to the last.
   [[nodiscard]] std::uint32_t vblanks() const { return frames_ == 0 ? 0 : last_ - first_; }
-  /// Frames that came later than they were due, and the VBLANKs by which they did.
+  /// Frames that came later than they were due, and the VBLANKs at which one was due that didn't come.
   [[nodiscard]] std::uint32_t late_frames() const { return late_; }
   [[nodiscard]] std::uint32_t skipped_vblanks() const { return skipped_; }
   /// Frames that appeared before they were due: the one before was seen too briefly, or never.
   [[nodiscard]] std::uint32_t early_frames() const { return early_; }
+  [[nodiscard]] std::uint32_t dropped_frames() const { return dropped_; }
   /// All of it, lines "KEY VALUE".
   [[nodiscard]] std::string counters() const;
 
@@ -52,6 +59,7 @@ class MeteredPanel final : public hal::Panel {
   hal::Status do_wait_for_vblank() noexcept override { return panel_->wait_for_vblank(); }
 
   hal::Panel* panel_;
+  const intaglio::present::BeamChaser* chaser_;
   std::uint32_t interval_;
   std::uint32_t told_ = 0;  // The VBLANK that the program was told of last.
   std::uint32_t begun_ = 0;
@@ -62,6 +70,8 @@ class MeteredPanel final : public hal::Panel {
   std::uint32_t late_ = 0;
   std::uint32_t skipped_ = 0;
   std::uint32_t early_ = 0;
+  std::uint32_t dropped_ = 0;
+  std::uint32_t dropped_since_ = 0;  // Since a frame was shown.
 };
 
 }  // namespace host

@@ -9,6 +9,7 @@ std::variant<Options, int> parse_command_line(int argc, const char* const* argv)
   Options options;
   std::string late;
   std::string order;
+  std::string beam;
   CLI::App app{
       "Runs a program of Intaglio on a simulated panel, or on a real one.\n"
       "Where there is a display it opens a window, else on a terminal it shows a preview until a key is\n"
@@ -32,6 +33,10 @@ std::variant<Options, int> parse_command_line(int argc, const char* const* argv)
   app.add_option("--order", order,
                  "With --buffers 3: every frame is shown, or the latest at each VBLANK (default: every)")
       ->check(CLI::IsMember({"every", "latest"}));
+  app.add_option("--beam", beam,
+                 "Frames go out behind the beam of a panel with memory of its own, or without a look at it "
+                 "(default: chase on a real panel with --te)")
+      ->check(CLI::IsMember({"chase", "ignore"}));
   CLI::Option* const png = app.add_option("--png", options.png, "Write the last frame to this file");
   app.add_option(
          "--png-of", options.png_of,
@@ -61,6 +66,7 @@ std::variant<Options, int> parse_command_line(int argc, const char* const* argv)
     using intaglio::present::Late;
     using intaglio::present::Order;
     if (!late.empty()) options.late = late == "drop" ? Late::drop : Late::show;
+    if (!beam.empty()) options.chase = beam == "chase";
     if (!order.empty()) options.order = order == "latest" ? Order::latest : Order::every;
     if (options.program.empty() && !options.list && !options.list_panels)
       throw CLI::RequiredError("program (intaglio-sim --list names them)");
@@ -71,10 +77,10 @@ std::variant<Options, int> parse_command_line(int argc, const char* const* argv)
         throw CLI::ValidationError("--window, --terminal, --png and --apng are for simulated panels");
       if (!options.effects.empty() || options.trace || options.explain)
         throw CLI::ValidationError("--effects, --trace and --explain are for simulated panels");
-      if (options.buffers || options.late || options.order)
-        throw CLI::ValidationError("--buffers, --late and --order are for simulated panels");
-    } else if (options.report) {
-      throw CLI::ValidationError("--report is for real panels");
+      if (options.buffers || options.order)
+        throw CLI::ValidationError("--buffers and --order are for simulated panels");
+    } else if (options.report || options.chase) {
+      throw CLI::ValidationError("--report and --beam are for real panels");
     }
   } catch (const CLI::ParseError& error) {
     return app.exit(error);

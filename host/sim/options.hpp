@@ -22,6 +22,7 @@ struct Options {
   std::optional<int> buffers;           ///< 1..3 of a scan-out panel; none: those it has by itself.
   std::optional<intaglio::present::Late> late;
   std::optional<intaglio::present::Order> order;
+  std::optional<bool> chase;             ///< Frames are sent behind the beam; none: as the panel suggests.
   std::optional<std::string> png;        ///< Where the last frame goes.
   std::optional<std::uint32_t> png_of;   ///< The frame or refresh that goes there instead.
   std::optional<std::string> animation;  ///< Where all frames go.

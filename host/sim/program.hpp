@@ -22,14 +22,24 @@ using OnFrame = std::function<bool(std::uint32_t frame, std::uint32_t digest)>;
 /// Told when the drawing of a frame, or of a band of it, begins and when it ends.
 using OnDraw = std::function<void(std::uint32_t frame, bool begins)>;
 
+/// How a program is run.
+struct RunOptions {
+  intaglio::present::Pace pace{};
+  std::uint32_t frames = 1;
+  OnFrame on_frame{};  ///< May be empty, as the next.
+  OnDraw on_draw{};
+  /// Sends the frames of a write panel behind its beam; null: each goes out when it is due. It serves this
+  /// run alone.
+  intaglio::present::BeamChaser* chaser = nullptr;
+};
+
 struct Program {
   std::string_view name;
   std::string_view description;
-  /// Runs `frames` frames at this pace. `counts` says at every call of `on_frame`, and in the end, what
-  /// became of the frames so far. With three buffers the program draws ahead: `on_frame` is called when a
-  /// frame has been asked for, not when it is on display.
-  intaglio::Status (*run)(hal::Panel& panel, const intaglio::present::Pace& pace, std::uint32_t frames,
-                          const OnFrame& on_frame, const OnDraw& on_draw,
+  /// Runs frames of the program. `counts` says at every call of `on_frame`, and in the end, what became of
+  /// the frames so far. With three buffers the program draws ahead: `on_frame` is called when a frame has
+  /// been asked for, not when it is on display.
+  intaglio::Status (*run)(hal::Panel& panel, const RunOptions& options,
                           intaglio::present::FrameCounts& counts);
 };
 
@@ -84,43 +94,41 @@ class SwapScreen : public intaglio::present::SwapChain<F> {
 
 /// `Program::run` on a screen.
 template <class App, class Screen>
-intaglio::Status run_on_screen(App& app, Screen& screen, std::uint32_t frames, const OnFrame& on_frame,
+intaglio::Status run_on_screen(App& app, Screen& screen, const RunOptions& options,
                                intaglio::present::FrameCounts& counts) {
-  return intaglio::present::run(app, screen, frames, [&](std::uint32_t frame, std::uint32_t digest) {
+  return intaglio::present::run(app, screen, options.frames, [&](std::uint32_t frame, std::uint32_t digest) {
     counts = screen.counts();
-    return on_frame(frame, digest);
+    return !options.on_frame || options.on_frame(frame, digest);
   });
 }
 
 /// `Program::run` for panels of one pixel format.
 template <class App, intaglio::image::PixelFormat F>
-intaglio::Status run_in_format(hal::Panel& panel, const intaglio::present::Pace& pace, std::uint32_t frames,
-                               const OnFrame& on_frame, const OnDraw& on_draw,
+intaglio::Status run_in_format(hal::Panel& panel, const RunOptions& options,
                                intaglio::present::FrameCounts& counts) {
-  Watched<App> app(intaglio::present::screen_info(panel.capabilities()), on_draw);
-  if (panel.capabilities().buffers > 0) {
-    SwapScreen<F> screen(panel, pace);
-    intaglio::Status s = run_on_screen(app, screen, frames, on_frame, counts);
+  using intaglio::present::FrameWriter;
+  const hal::Capabilities& c = panel.capabilities();
+  Watched<App> app(intaglio::present::screen_info(c), options.on_draw);
+  if (c.buffers > 0) {
+    SwapScreen<F> screen(panel, options.pace);
+    intaglio::Status s = run_on_screen(app, screen, options, counts);
     if (s.ok()) s = screen.settle();
     counts = screen.counts();
     return s;
   }
-  const hal::Capabilities& c = panel.capabilities();
-  std::vector<std::uint8_t> memory(
-      static_cast<std::size_t>(intaglio::present::FrameWriter<F>::memory_for({c.width, c.height})));
-  intaglio::present::FrameWriter<F> screen(panel, memory, pace);
-  return run_on_screen(app, screen, frames, on_frame, counts);
+  std::vector<std::uint8_t> memory(static_cast<std::size_t>(FrameWriter<F>::memory_for({c.width, c.height})));
+  FrameWriter<F> screen = options.chaser != nullptr
+                              ? FrameWriter<F>(panel, memory, *options.chaser, options.pace)
+                              : FrameWriter<F>(panel, memory, options.pace);
+  return run_on_screen(app, screen, options, counts);
 }
 
 /// `Program::run` of a class template over the pixel format.
 template <template <intaglio::image::PixelFormat> class App>
-intaglio::Status run_on_panel(hal::Panel& panel, const intaglio::present::Pace& pace, std::uint32_t frames,
-                              const OnFrame& on_frame, const OnDraw& on_draw,
+intaglio::Status run_on_panel(hal::Panel& panel, const RunOptions& options,
                               intaglio::present::FrameCounts& counts) {
   namespace image = intaglio::image;
-  const auto run = [&]<class F>(F) {
-    return run_in_format<App<F>, F>(panel, pace, frames, on_frame, on_draw, counts);
-  };
+  const auto run = [&]<class F>(F) { return run_in_format<App<F>, F>(panel, options, counts); };
   const bool lsb = panel.capabilities().bit_order == hal::BitOrder::lsb_first;
   switch (panel.capabilities().bits_per_pixel) {
     case 1:

@@ -12,9 +12,12 @@
 #include <cstdio>
 #include <fstream>
 #include <limits>
+#include <optional>
 #include <ostream>
 
 namespace host {
+
+using intaglio::present::BeamChaser;
 
 void list_panels(std::ostream& out) {
   const std::vector<std::string> all = list_attached();
@@ -27,22 +30,34 @@ void run_on_real_panel(const Options& options) {
   // From here on a signal may not end the program: it would leave the panel as it happens to be.
   watch_for_interruption(SecondSignal::waits);
   const std::unique_ptr<AttachedPanel> attached = attach(options.attach);
-  const int interval = interval_of(options, attached->panel().capabilities());
-  MeteredPanel panel(attached->panel(), interval);
+  const intaglio::present::Pace pace = pace_of(options, attached->panel().capabilities());
+  std::optional<BeamChaser> chaser;
+  if (options.chase.value_or(true))
+    if (const std::optional<Beam> beam = attached->beam())
+      chaser.emplace(*beam->clock, *beam->vblanks, beam->timing);
+  if (options.chase == true && !chaser)
+    throw Failure("--beam chase: " + attached->description() + " doesn't tell where its beam is");
+  BeamChaser* const behind = chaser ? &*chaser : nullptr;
+  MeteredPanel panel(attached->panel(), pace.interval, behind);
   if (!options.digest) fmt::print("{} on {}\n", options.program, attached->description());
   const auto tell = [&] { fmt::print(stderr, "{}", attached->notices()); };
   tell();
+  intaglio::present::FrameCounts counts;
   const auto on_frame = [&](std::uint32_t frame, std::uint32_t digest) {
-    panel.frame_shown();
+    if (counts.dropped == panel.dropped_frames())
+      panel.frame_shown();
+    else
+      panel.frame_dropped();
     if (options.digest) fmt::print("frame {} crc32 {:08x}\n", frame, digest);
     tell();
     return !interrupted();
   };
   const std::uint32_t frames = options.frames.value_or(std::numeric_limits<std::uint32_t>::max());
-  intaglio::present::FrameCounts counts;
-  const intaglio::Status status = program.run(panel, interval, frames, on_frame, {}, counts);
+  const intaglio::Status status =
+      program.run(panel, {.pace = pace, .frames = frames, .on_frame = on_frame, .chaser = behind}, counts);
   tell();
-  const std::string counters = panel.counters() + attached->counters();
+  const std::string torn = chaser ? fmt::format("torn_frames {}\n", chaser->torn()) : "";
+  const std::string counters = panel.counters() + torn + attached->counters();
   if (options.report && !(std::ofstream(*options.report) << counters).flush())
     throw Failure("cannot write " + *options.report);
   if (status.ok()) {

@@ -58,10 +58,8 @@ intaglio::present::Pace pace_of(const Options& options, const hal::sim::PanelSpe
                                 const hal::sim::Effects& effects) {
   using intaglio::present::Late;
   using intaglio::present::Order;
-  const intaglio::present::Pace pace(interval_of(options, panel.capabilities),
-                                     options.late.value_or(Late::show), options.order.value_or(Order::every));
-  if (pace.late == Late::drop && panel.capabilities.buffers == 1)
-    throw Failure("--late drop: with one buffer a frame is on display while it is drawn");
+  intaglio::present::Pace pace = pace_of(options, panel.capabilities);
+  pace.order = options.order.value_or(Order::every);
   if (options.order && panel.capabilities.buffers == 0)
     throw Failure(
         fmt::format("--order: {} has memory of its own, where no frame waits for its VBLANK", options.panel));
@@ -138,9 +136,12 @@ class Simulation {
     watch_for_interruption(SecondSignal::ends_at_once);
     start_ = std::chrono::steady_clock::now();
     const intaglio::Status status = program_.run(
-        panel_, pace_, frames_,
-        [this](std::uint32_t frame, std::uint32_t digest) { return on_frame(frame, digest); },
-        [this](std::uint32_t frame, bool begins) { on_draw(frame, begins); }, counts_);
+        panel_,
+        {.pace = pace_,
+         .frames = frames_,
+         .on_frame = [this](std::uint32_t frame, std::uint32_t digest) { return on_frame(frame, digest); },
+         .on_draw = [this](std::uint32_t frame, bool begins) { on_draw(frame, begins); }},
+        counts_);
     if (timeline_) timeline_->set_counts(counts_);
     // Until the last frame has been seen in a whole refresh.
     if (glass_.by_refresh() || timeline_) clock_.advance(2U * panel_.frame_time());
@@ -276,6 +277,13 @@ const Program& program_of(const Options& options) {
 int interval_of(const Options& options, const hal::Capabilities& panel) {
   const auto asked = static_cast<std::uint32_t>(options.frames_per_second) * 1000U;
   return static_cast<int>(std::max(1U, (panel.refresh_millihertz + asked / 2U) / asked));
+}
+
+intaglio::present::Pace pace_of(const Options& options, const hal::Capabilities& panel) {
+  using intaglio::present::Late;
+  if (options.late == Late::drop && panel.buffers == 1)
+    throw Failure("--late drop: with one buffer a frame is on display while it is drawn");
+  return {interval_of(options, panel), options.late.value_or(Late::show)};
 }
 
 void list_all(std::ostream& out) {

@@ -26,6 +26,9 @@ void run_on_real_panel(const Options& options);
 /// VBLANKs a frame at the frame rate that the options ask for, at least one.
 [[nodiscard]] int interval_of(const Options& options, const hal::Capabilities& panel);
 
+/// How frames follow each other on any panel. Throws Failure where late ones can't be dropped.
+[[nodiscard]] intaglio::present::Pace pace_of(const Options& options, const hal::Capabilities& panel);
+
 /// The program that the options name. Throws Failure.
 [[nodiscard]] const Program& program_of(const Options& options);
 

@@ -122,6 +122,26 @@ TEST(Modules, GlassThatLiesBesideTheMemoryIsRefused) {
     }
 }
 
+TEST(Modules, TellHowTheirBeamGoes) {
+  using hal::panels::BeamLines;
+  const auto lines = [](const char* name, const hal::panels::ModuleOptions& options = {}) {
+    return hal::panels::find_module(name)->beam(options);
+  };
+  // The porches of the ST7789 are 12 and 12 lines, those of the ILI9341 2 and 2.
+  EXPECT_EQ(lines("st7789"), (BeamLines{24, 344}));
+  EXPECT_EQ(lines("st7789-240x240"), (BeamLines{24, 344}));
+  EXPECT_EQ(lines("st7789-135x240"), (BeamLines{24 + 40, 344}));
+  EXPECT_EQ(lines("ili9341"), (BeamLines{4, 324}));
+  EXPECT_EQ(lines("ili9341-320x240", {.rotation = Rotation::by_180}), (BeamLines{4, 324}));
+  EXPECT_EQ(lines("st7789-240x240", {.scan_up = true}), (BeamLines{24 + 80, 344}));
+  EXPECT_EQ(lines("st7789-135x240", {.glass = {.height = 100, .row_offset = 10}}), (BeamLines{24 + 50, 344}));
+  EXPECT_EQ(lines("st7789", {.scan_up = true, .glass = {.height = 100, .row_offset = 10}}),
+            (BeamLines{24 + 210, 344}));
+  EXPECT_EQ(lines("st7789", {.scan_up = true, .glass = {.height = INT32_MIN}}), (BeamLines{})) << "no glass";
+  for (const Module& module : hal::panels::modules())
+    EXPECT_EQ(module.beam != nullptr, module.te) << module.name;
+}
+
 TEST(Modules, OfTheSimulatorsCatalogueAreWhatItSimulates) {
   int simulated = 0;
   for (const Module& module : hal::panels::modules()) {

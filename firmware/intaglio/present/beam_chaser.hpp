@@ -44,6 +44,8 @@ class BeamChaser {
   /// Says that the picture is complete.
   void complete() noexcept;
 
+  /// The refresh that `aim` chose last.
+  [[nodiscard]] std::uint32_t aimed_at() const noexcept { return aimed_at_; }
   /// Pictures of which some refresh showed a part.
   [[nodiscard]] std::uint32_t torn() const noexcept { return torn_; }
 

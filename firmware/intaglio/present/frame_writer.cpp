@@ -7,9 +7,6 @@ namespace intaglio::present {
 
 namespace {
 
-// Behind a beam that goes against the writes a band must be short beside its lead; a write has a price, too.
-constexpr int lines_of_a_band = 16;
-
 /// The least multiple of `alignment` that is also one of `pixels_per_byte`, which is 1, 2, 4 or 8.
 int whole_bytes(int alignment, int pixels_per_byte) noexcept {
   int common = alignment;
@@ -33,7 +30,7 @@ WriteControl::WriteControl(hal::Panel& panel, const Pace& pace, int pixels_per_b
 
 Status WriteControl::prepare() noexcept {
   if (chaser_ == nullptr) return {};
-  cut_ = cut_along_scan(panel_->capabilities(), 8 / pixels_per_byte_, lines_of_a_band);
+  cut_ = cut_along_scan(panel_->capabilities(), 8 / pixels_per_byte_, chased_lines);
   return chaser_->prepare(cut_.sizes(panel_->capabilities()), cut_.travel());
 }
 

@@ -26,6 +26,10 @@
 
 namespace intaglio::present {
 
+/// Lines of the bands that go behind a beam. They must be short beside the lead where it goes against the
+/// writes; a write has a price, too.
+inline constexpr int chased_lines = 16;
+
 /// The part of a frame writer that doesn't depend on the pixel format.
 class WriteControl {
  public:

@@ -92,6 +92,7 @@ int Kernel::read(hal::Nanoseconds* times, int most) {
   if (!call()) return -1;
   int count = 0;
   for (; count < most && !queue_.empty(); queue_.pop_front()) times[count++] = queue_.front();
+  if (count > 0) on_edges_read();
   return count;
 }
 

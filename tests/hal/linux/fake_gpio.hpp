@@ -46,6 +46,8 @@ class Kernel {
   /// Edges to come on the line that is watched, in order.
   std::deque<hal::Nanoseconds> edges;
   Overflow overflow = Overflow::drops_newest;
+  /// Called when some were read.
+  std::function<void()> on_edges_read = [] {};
 
   /// Errors: -1 and errno.
   Chip* open_chip(const std::string& path);

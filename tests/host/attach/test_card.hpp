@@ -15,7 +15,8 @@ intaglio::Status run_test_card(hal::Panel& panel, int interval, std::uint32_t fr
     on_frame(frame);
     return true;
   };
-  return find_program("testcard")->run(panel, interval, frames, go_on, {}, counts);
+  return find_program("testcard")
+      ->run(panel, {.pace = interval, .frames = frames, .on_frame = go_on}, counts);
 }
 inline intaglio::Status run_test_card(hal::Panel& panel, std::uint32_t frames) {
   return run_test_card(panel, 1, frames, [](std::uint32_t) {});

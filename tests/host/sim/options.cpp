@@ -83,14 +83,18 @@ TEST(SimOptions, WiresAndSchemesMeanARealPanel) {
   EXPECT_EQ(attach.size, "240x240");
   EXPECT_TRUE(host::means_attached(std::get<Options>(parse({"gauges", "--panel", "fb:/dev/fb0"})).attach));
   EXPECT_FALSE(host::means_attached(std::get<Options>(parse({"gauges", "--panel", "ssd1306"})).attach));
+  const Options paced =
+      std::get<Options>(parse({"gauges", "--panel", "fb:/dev/fb0", "--late", "drop", "--beam", "ignore"}));
+  EXPECT_EQ(paced.late, intaglio::present::Late::drop);
+  EXPECT_EQ(paced.chase, false);
 }
 
 TEST(SimOptions, WhatIsForSimulatedPanelsIsRefusedOnRealOnes) {
   for (const char* const option : {"--window", "--terminal", "--png=a", "--apng=a", "--effects=te",
-                                   "--trace=a", "--explain", "--buffers=2", "--late=show", "--order=every"})
+                                   "--trace=a", "--explain", "--buffers=2", "--order=every"})
     EXPECT_TRUE(std::holds_alternative<int>(parse({"gauges", "--panel", "fb:/dev/fb0", option}))) << option;
-  for (const char* const option :
-       {"--report=a", "--rotate=45", "--address=0x80", "--spi-mode=4", "--contrast=256"})
+  for (const char* const option : {"--report=a", "--beam=chase", "--beam=left", "--rotate=45",
+                                   "--address=0x80", "--spi-mode=4", "--contrast=256"})
     EXPECT_TRUE(std::holds_alternative<int>(parse({"gauges", option}))) << option;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // UTF-8, fonts of any tables, and text drawn with them.
+#include <intaglio/text/draw_aligned_text.hpp>
 #include <intaglio/text/draw_text.hpp>
 #include <intaglio/text/measure.hpp>
 #include <intaglio/text/utf8.hpp>
@@ -10,6 +11,9 @@
 #include <tests/text/test_font.hpp>
 
 #include <climits>
+
+#include <array>
+#include <optional>
 
 namespace fuzz {
 namespace {
@@ -50,11 +54,6 @@ struct Tables {
   }
 };
 
-const oracle::Utf8& utf8_by_definition() {
-  static const oracle::Utf8 utf8;
-  return utf8;
-}
-
 void decode(std::string_view text) {
   std::vector<std::uint32_t> codes;
   for (std::string_view rest = text; !rest.empty();) {
@@ -62,7 +61,7 @@ void decode(std::string_view text) {
     codes.push_back(take_code_point(rest));
     require(rest.size() < before && rest.size() + 4 >= before, "take_code_point takes 1 to 4 bytes");
   }
-  require(codes == utf8_by_definition().decode(text), "take_code_point: another text");
+  require(codes == oracle::utf8_by_definition().decode(text), "take_code_point: another text");
 }
 
 /// The sum of advances of the longest line, and the lines.
@@ -70,7 +69,7 @@ void measured(const Font& font, std::string_view text) {
   std::int64_t width = 0;
   std::int64_t line = 0;
   std::int64_t lines = 1;
-  for (const std::uint32_t code : utf8_by_definition().decode(text)) {
+  for (const std::uint32_t code : oracle::utf8_by_definition().decode(text)) {
     if (code == '\n') {
       ++lines;
       line = 0;
@@ -106,17 +105,37 @@ void run(Input in) {
   const Font& font = made.value();
   measured(font, text);
   Input choices(surface);
+  const auto has_pixels_of = [&](const Drawn& whole, const oracle::Touches& expected) {
+    for_pixels(scene.window, [&](int x, int y) {
+      const auto found = expected.find({y, x});
+      require(whole.sink.writes(x, y) == (found == expected.end() ? 0 : found->second),
+              "text: not the pixels of the glyphs");
+    });
+  };
+  const Rect& window = scene.window;
+  const oracle::Window seen{window.x, window.y, window.right(), window.bottom()};
   const Drawn whole = check(
       scene, choices, [&](auto& sink) { return draw_text(sink, font, top_left, text); }, INT_MAX);
-  if (!whole.status.ok()) return;
-  const Rect& window = scene.window;
-  const auto expected = oracle::text_pixels(utf8_by_definition(), font.tables(), top_left.x, top_left.y, text,
-                                            {window.x, window.y, window.right(), window.bottom()});
-  for_pixels(window, [&](int x, int y) {
-    const auto found = expected.find({y, x});
-    require(whole.sink.writes(x, y) == (found == expected.end() ? 0 : found->second),
-            "draw_text: not the pixels of the glyphs");
-  });
+  if (whole.status.ok())
+    has_pixels_of(whole, oracle::text_pixels(oracle::utf8_by_definition(), font.tables(), top_left.x,
+                                             top_left.y, text, seen));
+
+  const Rect box{top_left.x, top_left.y, scene.clip.width, scene.clip.height};
+  const int across = kind % 3;
+  const int down = kind / 3 % 4;
+  const auto baseline = std::array{Baseline::top, Baseline::middle, Baseline::bottom,
+                                   Baseline::alphabetic}[static_cast<std::size_t>(down)];
+  const Drawn aligned = check(
+      scene, choices,
+      [&](auto& sink) {
+        return draw_aligned_text(sink, font, box, static_cast<Alignment>(across), baseline, text);
+      },
+      INT_MAX);
+  if (aligned.status.ok())
+    has_pixels_of(aligned,
+                  oracle::aligned_text_pixels(oracle::utf8_by_definition(), font.tables(), box.x, box.y,
+                                              box.width, box.height, across,
+                                              down < 3 ? std::optional(down) : std::nullopt, text, seen));
 }
 
 }  // namespace fuzz

@@ -69,4 +69,10 @@ class Utf8 {
   std::unordered_set<std::uint64_t> beginning_;
 };
 
+/// One for all tests, as its tables are large.
+inline const Utf8& utf8_by_definition() {
+  static const Utf8 instance;
+  return instance;
+}
+
 }  // namespace oracle

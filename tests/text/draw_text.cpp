@@ -28,11 +28,6 @@ using intaglio::linear::Rect;
 using intaglio::text::draw_text;
 using intaglio::text::Font;
 
-const oracle::Utf8& utf8_oracle() {
-  static const oracle::Utf8 instance;
-  return instance;
-}
-
 /// Counts touches; notes a span outside the clip or empty.
 class SpanRecorder {
  public:
@@ -91,7 +86,8 @@ std::size_t expect_oracle(const Font& font, Point at, std::string_view text, con
   EXPECT_TRUE(draw_text(sink, font, at, text).ok());
   const oracle::Window window{clip.x, clip.y, std::int64_t{clip.x} + clip.width,
                               std::int64_t{clip.y} + clip.height};
-  EXPECT_EQ(sink.touches, oracle::text_pixels(utf8_oracle(), font.tables(), at.x, at.y, text, window))
+  EXPECT_EQ(sink.touches,
+            oracle::text_pixels(oracle::utf8_by_definition(), font.tables(), at.x, at.y, text, window))
       << "'" << text << "' at " << at.x << ", " << at.y << " clip " << clip.x << ", " << clip.y << ", "
       << clip.width << ", " << clip.height;
   EXPECT_FALSE(sink.outside);

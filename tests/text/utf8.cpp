@@ -16,11 +16,6 @@ namespace {
 
 using intaglio::text::take_code_point;
 
-const oracle::Utf8& utf8_oracle() {
-  static const oracle::Utf8 instance;
-  return instance;
-}
-
 std::vector<std::uint32_t> decode(std::string_view text) {
   std::vector<std::uint32_t> codes;
   while (!text.empty()) codes.push_back(take_code_point(text));
@@ -42,7 +37,7 @@ std::string hex(std::string_view bytes) {
 bool agrees(std::string_view bytes) {
   const std::unique_ptr<char[]> exact(new char[bytes.size()]);
   bytes.copy(exact.get(), bytes.size());
-  return decode({exact.get(), bytes.size()}) == utf8_oracle().decode(bytes);
+  return decode({exact.get(), bytes.size()}) == oracle::utf8_by_definition().decode(bytes);
 }
 
 char byte(unsigned value) { return static_cast<char>(static_cast<unsigned char>(value)); }

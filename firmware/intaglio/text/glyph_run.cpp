@@ -3,14 +3,6 @@
 #include <intaglio/text/utf8.hpp>
 
 namespace intaglio::text {
-namespace {
-
-/// Furthest that a box can begin left of or above the pen.
-constexpr int overhang = 128;
-/// Furthest that a box can end below the top of the line.
-constexpr int reach = 127 + 255;
-
-}  // namespace
 
 GlyphRun::GlyphRun(const Font& font, linear::Point top_left, std::string_view utf8,
                    const linear::Rect& clip) noexcept
@@ -20,8 +12,8 @@ GlyphRun::GlyphRun(const Font& font, linear::Point top_left, std::string_view ut
 
 bool GlyphRun::next(GlyphPart& part) noexcept {
   while (!rest_.empty()) {
-    if (pen_.y - overhang >= clip_.bottom()) return false;
-    if (pen_.x - overhang >= clip_.right() || pen_.y + reach <= clip_.y) skip_line();
+    if (pen_.y - glyph_overhang >= clip_.bottom()) return false;
+    if (pen_.x - glyph_overhang >= clip_.right() || pen_.y + glyph_reach <= clip_.y) skip_line();
     if (rest_.empty()) return false;
     const char32_t code = take_code_point(rest_);
     if (code == U'\n') {

@@ -8,8 +8,8 @@
 // clip and the rest of a line that left it at the right are passed over without looking glyphs up. This is
 // the part of text drawing that doesn't depend on the sink: it exists once in a program.
 //
-// Bit budget: the pen starts in the domain (2^20), stops within `overhang` + 255 of a clip edge (2^22 at
-// most), and a box adds at most 128 + 255: below 2^23.
+// Bit budget: the pen starts in the domain (2^20), that of an aligned line within 5 * 2^20, stops there or
+// within `glyph_overhang` + 255 of a clip edge (2^22 at most), and a box adds at most 128 + 255: below 2^23.
 #pragma once
 
 #include <intaglio/linear/rect.hpp>
@@ -19,6 +19,11 @@
 #include <string_view>
 
 namespace intaglio::text {
+
+/// Furthest that a box can begin left of or above the pen.
+inline constexpr int glyph_overhang = 128;
+/// Furthest that a box can end below the top of the line.
+inline constexpr int glyph_reach = 127 + 255;
 
 /// A piece of a glyph's box: the pixels of `visible` that have a bit set.
 struct GlyphPart {
@@ -32,7 +37,7 @@ struct GlyphPart {
 /// nothing; such parts are not handed over.
 class GlyphRun {
  public:
-  /// `top_left` must be in the domain, the font not empty; font and text must outlive the run.
+  /// `top_left` must be within 5 * 2^20, the font not empty; font and text must outlive the run.
   GlyphRun(const Font& font, linear::Point top_left, std::string_view utf8,
            const linear::Rect& clip) noexcept;
 

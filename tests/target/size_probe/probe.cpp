@@ -35,6 +35,7 @@
 #include <intaglio/raster/thick_line.hpp>
 #include <intaglio/raster/triangle.hpp>
 #include <intaglio/raster/triangle_box.hpp>
+#include <intaglio/text/draw_aligned_text.hpp>
 #include <intaglio/text/draw_text.hpp>
 
 using namespace intaglio;
@@ -66,6 +67,10 @@ Status fill_polygon(const Pen& pen, raster::FillRule rule, Points points, std::s
 }
 Status draw_text(const Pen& pen, const text::Font& font, linear::Point p, std::string_view s) {
   return text::draw_text(pen, font, p, s);
+}
+Status draw_aligned_text(const Pen& pen, const text::Font& font, const linear::Rect& box,
+                         text::Alignment across, text::Baseline down, std::string_view s) {
+  return text::draw_aligned_text(pen, font, box, across, down, s);
 }
 Status clear(const image::Surface<Format>& surface, unsigned index) { return image::clear(surface, index); }
 Status blit(const image::Surface<Format>& target, linear::Point p, const image::Picture<Format>& source) {

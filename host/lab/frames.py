@@ -12,7 +12,7 @@ import json
 import sums
 import table
 from cores import ROOT
-from measure import COUNTED, HOST, Failure, count, run
+from measure import COUNTED, HOST, Failure, count, count_key, run
 
 COLUMNS = ["app", "setting", "core", "frame", *COUNTED, "mean_instructions", "stack_bytes", "error_mean", "error_worst",
            "wrong_ppm", "counted"]
@@ -41,7 +41,7 @@ def rows_of(work, cores):
     """(rows, scenes) measured. Fails if cores draw other frames than the desk does."""
     described = scenes(work)
     counted = work.do("frames", {
-        core.name: (("frames", work.hash_of(core.build / "bin/lab-frames")), lambda core=core: count(core, "lab-frames"))
+        core.name: (count_key(work, core, "lab-frames"), lambda core=core: count(core, "lab-frames"))
         for core in cores})
     rows = []
     for core in cores:

@@ -3,6 +3,7 @@
 
 The programs are built from firmware/lab and host/lab; what each measures is said there.
 """
+import functools
 import json
 import re
 import shutil
@@ -10,6 +11,7 @@ import subprocess
 import tempfile
 from pathlib import Path
 
+import callgrind
 from cores import CORES, ROOT
 
 COUNTED = ("instructions", "loads", "stores", "multiplies", "divides")
@@ -92,14 +94,18 @@ def _count_in_qemu(core, folder, program):
 
 def _count_in_callgrind(folder, *program):
     out = folder / "counts"
-    printed = run("valgrind", "-q", "--tool=callgrind", "--cache-sim=yes", f"--callgrind-out-file={out}",
+    printed = run("valgrind", "-q", "--tool=callgrind", *callgrind.OPTIONS, f"--callgrind-out-file={out}",
                   *program).split()
     lines = []
     for number in range(len(printed) // 2):
-        text = (folder / f"counts.{number + 1}").read_text()
-        instructions, loads, stores = re.search(r"^totals: (\d+) (\d+) (\d+)", text, re.MULTILINE).groups()
-        lines += [f"{instructions} {loads} {stores} 0 0", *printed[2 * number:2 * number + 2]]
+        counts = callgrind.counts((folder / f"counts.{number + 1}").read_text(), _kinds_in)
+        lines += [" ".join(map(str, counts)), *printed[2 * number:2 * number + 2]]
     return lines
+
+
+@functools.cache
+def _kinds_in(binary):
+    return callgrind.kinds_of(run("objdump", "-d", "--no-show-raw-insn", binary))
 
 
 def count(core, program="lab-count", times=2):
@@ -107,6 +113,11 @@ def count(core, program="lab-count", times=2):
     if not core.machine:
         return count_here(core.build / "bin" / program, times=times)
     return _repeated(core.name, times, lambda folder: _count_in_qemu(core, folder, program))
+
+
+def count_key(work, core, program):
+    """What the counts of a program depend on."""
+    return "count", work.hash_of(core.build / "bin" / program), *(() if core.machine else callgrind.OPTIONS)
 
 
 def count_here(*program, times=2):
@@ -193,7 +204,7 @@ def type_of(family):
 def costs(work, all_families, cores):
     """By (family, load, rung, core): what is counted a unit, bytes, stack, digest. Fails if cores disagree on results."""
     counted = work.do("counts", {
-        core.name: (("count", work.hash_of(core.build / "bin/lab-count")), lambda core=core: count(core))
+        core.name: (count_key(work, core, "lab-count"), lambda core=core: count(core))
         for core in cores})
     order = list(slots(all_families))
     weights = _weights(work, all_families, cores)

@@ -21,6 +21,7 @@ using intaglio::Error;
 using intaglio::Status;
 using intaglio::linear::Point;
 using intaglio::linear::Rect;
+using intaglio::linear::SubPoint;
 using intaglio::raster::DistanceLine;
 using intaglio::raster::draw_line;
 using intaglio::raster::draw_line_by;
@@ -28,6 +29,7 @@ using intaglio::raster::ExactLine;
 using intaglio::raster::LineSlope;
 using intaglio::raster::RoundedLine;
 using intaglio::raster::SplitErrorLine;
+using intaglio::raster::SubPixelLine;
 using oracle::RecordingSink;
 using oracle::Wide;
 
@@ -188,6 +190,17 @@ TYPED_TEST(LineRungs, RefuseWhatIsOutsideTheDomain) {
   EXPECT_EQ(sink.touched(), 1);
 }
 
+TEST(SubPixelLine, TakesEndsBesideTheMiddlesOfPixelsToo) {
+  RecordingSink drawn({0, 0, 40, 40});
+  RecordingSink expected({0, 0, 40, 40});
+  const SubPoint a{700, -5000};
+  const SubPoint b{9001, 12345};
+  EXPECT_TRUE(SubPixelLine{}(drawn, a, b).ok());
+  EXPECT_TRUE(draw_line(expected, a, b).ok());
+  EXPECT_GT(drawn.touched(), 10);
+  EXPECT_EQ(drawn.all_writes(), expected.all_writes());
+}
+
 TEST(LineRungBounds, AreNeitherLooserNorTighterThanTheRungs) {
   // The longest line, with a slope whose error is nearly one unit of its last place: line1 ends 16 rows off.
   const LineSlope slope{2 * limit, limit + 1, 0};
@@ -196,6 +209,7 @@ TEST(LineRungBounds, AreNeitherLooserNorTighterThanTheRungs) {
   EXPECT_EQ(SplitErrorLine::bound.thousandths, 1);
   EXPECT_TRUE(ExactLine::bound.exact());
   EXPECT_TRUE(DistanceLine::bound.exact());
+  EXPECT_TRUE(SubPixelLine::bound.exact());
   // Up to these lengths all are exact.
   EXPECT_EQ(RoundedLine::wrong_pixels(181), 0);
   EXPECT_EQ(SplitErrorLine::wrong_pixels(46340), 0);

@@ -7,13 +7,15 @@
 // - `RoundedLine` (the book's line1): j(k) = the position S*k rounded to an integer, S the slope m/M with 16
 //   fraction bits;
 // - `SplitErrorLine` (line2): only the position's fraction is kept, so S has 32 fraction bits and a step of
-// one
-//   is a carry;
+//   one is a carry;
 // - `ExactLine` (line3): Bresenham's, which is `draw_line`;
+// - `SubPixelLine`: the same for ends in 1/256 pixel;
 // - `DistanceLine` (the book's first): of the two next pixels the one nearer to the line, by products at
-// each. Where pixels halfway between two rows go on (s = 0), S is rounded up, where they stay (s = 1), down:
-// so the error never moves a pixel off a tie. All rungs draw a line from b to a as from a to b, and clipping
-// changes no pixel of theirs.
+//   each.
+//
+// Where pixels halfway between two rows go on (s = 0), S is rounded up, where they stay (s = 1), down: so the
+// error never moves a pixel off a tie. All rungs draw a line from b to a as from a to b, and clipping changes
+// no pixel of theirs.
 //
 // Error: S is off by less than 2^-f, so after k steps the position is off by less than k * 2^-f pixel, on one
 // side. A pixel differs from the exact one only if that reaches the next tie, at least 1/(2*M) away: not
@@ -204,8 +206,24 @@ struct ExactLine : DistanceLine {
   }
 };
 
+/// The default for ends in 1/256 pixel; between pixels it draws what `ExactLine` does, and takes longer to
+/// begin.
+struct SubPixelLine : DistanceLine {
+  using DistanceLine::operator();
+  template <SpanSink S>
+  Status operator()(S&& sink, linear::Point a, linear::Point b) const {
+    if (!linear::in_domain(a) || !linear::in_domain(b)) return {Error::out_of_domain, Argument::point};
+    return draw_line(sink, linear::to_subpixel(a), linear::to_subpixel(b));
+  }
+  /// (A template of the points, as `draw_line` is, so that {x, y} goes on meaning pixels.)
+  template <SpanSink S, std::same_as<linear::SubPoint> P>
+  Status operator()(S&& sink, P a, P b) const {
+    return draw_line(sink, a, b);
+  }
+};
+
 /// The rungs of lines.
-using LineFamily = number::Family<RoundedLine, SplitErrorLine, ExactLine, DistanceLine>;
+using LineFamily = number::Family<RoundedLine, SplitErrorLine, ExactLine, DistanceLine, SubPixelLine>;
 
 namespace detail {
 
@@ -253,6 +271,8 @@ template <LineRung Rung, SpanSink S>
 Status draw_line_by(S&& sink, linear::Point a, linear::Point b) {
   if constexpr (std::same_as<Rung, ExactLine>) {
     return draw_line(sink, a, b);
+  } else if constexpr (std::same_as<Rung, SubPixelLine>) {
+    return Rung{}(sink, a, b);
   } else {
     detail::LineFrame frame;
     const Status status = detail::line_frame(a, b, sink.clip(), frame);

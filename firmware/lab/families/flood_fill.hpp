@@ -20,10 +20,14 @@ namespace lab {
 
 using FloodPen = intaglio::raster::Solid<image::Indexed8>;
 
-/// No memory: down and up over the whole window, as long as a pixel is found beside a filled one. Not for
-/// programs: pixels that have the pen's index before are taken for filled ones.
+/// No memory: down and up over the whole window, as long as a pixel is found beside a filled one. It stays
+/// here: pixels that have the pen's index before are taken for filled ones, so it isn't a rung of the
+/// library's family.
 struct SweepFlood {
   static constexpr number::Bound bound = intaglio::raster::SpanFlood::bound;
+  static constexpr std::string_view domain =
+      "regions of index 0 in windows without the pen's index: not in the library, so `cheapest` can't choose "
+      "it";
   struct Cell {};
   intaglio::Status operator()(const FloodPen& pen, intaglio::linear::Point seed,
                               std::span<Cell> /*workspace*/) const noexcept {

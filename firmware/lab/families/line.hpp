@@ -16,16 +16,12 @@
 
 namespace lab {
 
-/// Bresenham's line between ends in 1/256 pixel.
-struct SubPixelLine {
-  static constexpr number::Bound bound = number::exactly(number::Unit::wrong_pixel);
-};
-
 struct Line {
   static constexpr std::string_view name = "line";
   static constexpr std::string_view title = "Drawing a line";
-  using Rungs = number::Family<intaglio::raster::SplitErrorLine, intaglio::raster::ExactLine, SubPixelLine,
-                               intaglio::raster::RoundedLine, intaglio::raster::DistanceLine>;
+  using Rungs = number::Family<intaglio::raster::SplitErrorLine, intaglio::raster::ExactLine,
+                               intaglio::raster::SubPixelLine, intaglio::raster::RoundedLine,
+                               intaglio::raster::DistanceLine>;
   using Default = intaglio::raster::ExactLine;
   static constexpr Load loads[] = {{"short, up to 16 pixels", 64},
                                    {"across the screen", 16},
@@ -72,7 +68,7 @@ struct Line {
   /// Draws on a sink.
   template <class R, class S>
   static intaglio::Status draw(const S& sink, const Input& line) noexcept {
-    if constexpr (std::is_same_v<R, SubPixelLine>) {
+    if constexpr (std::is_same_v<R, intaglio::raster::SubPixelLine>) {
       return intaglio::raster::draw_line(sink, line.from, line.to);
     } else {
       return intaglio::raster::draw_line_by<R>(sink, line.first, line.last);
@@ -97,7 +93,7 @@ struct Line {
     using intaglio::raster::SplitErrorLine;
     constexpr bool rounded = std::is_same_v<R, RoundedLine>;
     constexpr bool split = std::is_same_v<R, SplitErrorLine>;
-    constexpr bool whole = !std::is_same_v<R, SubPixelLine>;
+    constexpr bool whole = !std::is_same_v<R, intaglio::raster::SubPixelLine>;
     constexpr int all = 2 * 320 * 1000;
     int wrong = 0;
     if (load == 1 && rounded) wrong = 2 * 1000;

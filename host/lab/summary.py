@@ -43,15 +43,18 @@ def turning(rows, factor=1.25):
     return [entry[1:] for entry in sorted(found, reverse=True)]
 
 
-def table(rows, defaults_error):
-    """Lines (job, error, cheapest without a divider, cheapest with it), those that differ first.
-    `defaults_error`: {family: (the bound of the library's own way, its unit)}."""
+def table(rows, families):
+    """Lines (job, load, error, cheapest without a divider, cheapest with it), those that differ first. `families`: as in
+    the baseline's families.json."""
     lines = []
     for family, cores in _by_job(rows).items():
-        error, unit = defaults_error[family]
+        default = next(row for row in cores[WITHOUT] if row["rung"] == families[family]["default"])
+        error = float(default["bound"])
+        per = families[family]["per"]
         without, with_divider = (cheapest(cores[core], error) for core in (WITHOUT, WITH))
-        cells = [f"{row['rung']} {float(row['instructions']):,.0f}" for row in (without, with_divider)]
+        cells = [f"{row['rung']} {float(row['instructions']):,.0f}" + ("" if per == "call" else f" a {per}")
+                 for row in (without, with_divider)]
         differ = without["rung"] != with_divider["rung"]
-        lines.append((not differ, family, [family.replace("-", " "), exact_or(error, unit), cells[0],
-                                           f"**{cells[1]}**" if differ else cells[1]]))
+        lines.append((not differ, family, [family.replace("-", " "), default["metric"], exact_or(error, default["unit"]),
+                                           cells[0], f"**{cells[1]}**" if differ else cells[1]]))
     return [line for _, _, line in sorted(lines)]

@@ -126,7 +126,7 @@ class Choice(unittest.TestCase):
             row('Coarse', 10, 4, core='arm926'), row('Finest', 30, 0.5, core='arm926')]
 
     def chosen(self, error, core='cortex-m3'):
-        return choose.choose(self.rows, 'sine', core, error)[0]['rung']
+        return choose.choose(self.rows, 'sine', core, error).chosen['rung']
 
     def test_the_cheapest_that_meets_the_bound(self):
         self.assertEqual(self.chosen('4lsb'), 'Coarse')
@@ -134,7 +134,7 @@ class Choice(unittest.TestCase):
         self.assertEqual(self.chosen('4lsb', 'arm926'), 'Fine')
 
     def test_a_bound_that_none_meets_names_the_best(self):
-        with self.assertRaisesRegex(Failure, 'Finest, 0.5 lsb'):
+        with self.assertRaisesRegex(Failure, 'Finest, at most 0.5 lsb'):
             self.chosen('0.4lsb')
 
     def test_another_unit_is_refused(self):

@@ -59,11 +59,38 @@ def _finish_costs(axes, costs):
     axes.set_xscale("log")
     low, high = min(costs) / 1.4, max(costs) * 1.4
     axes.set_xlim(low, high)
-    ticks = [m * 10 ** e for e in range(-3, 10) for m in (1, 2, 5) if low <= m * 10 ** e <= high]
+    ticks = [m * 10 ** e for e in range(-3, 10) for m in (1, 2, 5)]
+    if high < 8 * low:  # too near to each other for these
+        ticks = matplotlib.ticker.MaxNLocator(5).tick_values(low, high)
+    ticks = [tick for tick in ticks if low <= tick <= high]
     if len(ticks) > 6:
         ticks = [tick for tick in ticks if f"{tick:e}"[0] == "1"] or ticks[::2]
     axes.set_xticks(ticks, [_short(tick) for tick in ticks])
     axes.xaxis.set_minor_locator(matplotlib.ticker.NullLocator())
+
+
+# Where a number may stand beside its point, in typographic points: its lower left corner if it has one digit.
+_PLACES = ((4, 4), (4, -10), (-9, 4), (-9, -10), (-2, 7), (-2, -13), (7, -3), (-12, -3))
+
+
+def _covered(box, other):
+    """The area that two boxes (left, bottom, right, top) share."""
+    return (max(0, min(box[2], other[2]) - max(box[0], other[0])) *
+            max(0, min(box[3], other[3]) - max(box[1], other[1])))
+
+
+def _number(axes, points):
+    """Numbers beside their points, (number, x, y), each where it covers least of the points and the other numbers."""
+    scale = 72 / axes.figure.dpi
+    centres = [axes.transData.transform((x, y)) * scale for _, x, y in points]
+    taken = [(x - 4, y - 4, x + 4, y + 4) for x, y in centres]
+    for (number, x, y), (right, up) in zip(points, centres):
+        def box(place, left=right, bottom=up):
+            return left + place[0], bottom + place[1], left + place[0] + 5, bottom + place[1] + 7
+
+        place = min(_PLACES, key=lambda place: sum(_covered(box(place), other) for other in taken))
+        taken.append(box(place))
+        axes.annotate(str(number), (x, y), xytext=place, textcoords="offset points")
 
 
 def scatter(axes, points, unit, per):
@@ -76,22 +103,23 @@ def scatter(axes, points, unit, per):
     stairs = sorted((cost, error) for _, cost, error, dominated in at if not dominated)
     if stairs:
         axes.step([cost for cost, _ in stairs], [error for _, error in stairs], where="post", color=ACCENT, linewidth=1)
-    for number, cost, error, dominated in at:
-        axes.plot(cost, error, "o", markersize=6, markeredgecolor=ACCENT,
-                  markerfacecolor="none" if dominated else ACCENT, markeredgewidth=1.2)
-        axes.annotate(str(number), (cost, error), xytext=(4, 4), textcoords="offset points")
+    for _, cost, error, dominated in at:
+        axes.plot(cost, error, "o", markersize=6, markeredgecolor=ACCENT, markerfacecolor=PAPER if dominated else ACCENT,
+                  markeredgewidth=1.2)
     axes.set_yscale("log")
     top = max(inexact) * 4 if inexact else 1
     axes.set_ylim(bottom / 2, top)
     axes.yaxis.set_minor_locator(matplotlib.ticker.NullLocator())
-    decades = [10.0 ** e for e in range(-12, 12) if (bottom * 2 if exact_shown else bottom / 2) <= 10.0 ** e <= top]
+    decades = [10.0 ** e for e in range(-12, 12)
+               if inexact and (bottom * 2 if exact_shown else bottom / 2) <= 10.0 ** e <= top]
     decades = decades[::max(1, len(decades) // 5)]
     ticks = ([bottom] if exact_shown else []) + decades
     axes.set_yticks(ticks, (["exact"] if exact_shown else []) + [_short(tick) for tick in decades])
     _finish_costs(axes, [cost for _, cost, _, _ in at])
+    _number(axes, [(number, cost, error) for number, cost, error, _ in at])
     axes.grid(True)
     axes.set_xlabel(f"instructions a {per}")
-    axes.set_ylabel(f"worst error, {unit}")
+    axes.set_ylabel(f"worst error,\n{unit}")
 
 
 def family_chart(rivals, per, title):

@@ -56,6 +56,20 @@ def figure(number):
     return f"{number:,.0f}" if number >= 100 else f"{number:.1f}" if number >= 10 else f"{number:.2f}"
 
 
+def digits(number):
+    """An error in three digits, or whole."""
+    number = float(number)
+    return f"{number:,.0f}" if number >= 1000 else f"{number:.3g}"
+
+
+def by_value(of_keys):
+    """(value, its keys) of a dict."""
+    values = {}
+    for key, value in of_keys.items():
+        values.setdefault(value, []).append(key)
+    return values.items()
+
+
 def png_data(image):
     buffer = io.BytesIO()
     image.save(buffer, "png", optimize=True)
@@ -124,7 +138,7 @@ def write(path, families, rows, errors, fragments, compilers):
         points.setdefault(family, {})[load] = f"{error['points']:,} points: {error['how']}"
     environment = jinja2.Environment(loader=jinja2.FileSystemLoader(TEMPLATE.parent), autoescape=True,
                                      undefined=jinja2.StrictUndefined, trim_blocks=True, lstrip_blocks=True)
-    environment.filters["figure"] = figure
+    environment.filters.update(figure=figure, digits=digits, by_value=by_value)
     titles = {name: family["title"] for name, family in families.items()}
     page = environment.get_template(TEMPLATE.name).render(
         families=[_family(family, [row for row in rows if row["family"] == name]) for name, family in families.items()],

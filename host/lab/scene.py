@@ -153,5 +153,6 @@ def _front_table(core, rivals):
     lines = "".join(f'<tr><td>{html.escape(frames.changes(row, standard))}</td><td>{int(row["instructions"]):,}</td>'
                     f'<td>{core.cycles(row):,.0f}</td><td>{row["error_mean"]}</td><td>{row["error_worst"]}</td>'
                     f'<td>{row["wrong_ppm"]}</td></tr>' for row in frames.front(rivals))
-    return ('<div class="wide"><table><tr><th>worth having</th><th>instructions</th><th>cycles, modelled</th>'
-            f"<th>mean CIE76</th><th>worst</th><th>pixels that differ, ppm</th></tr>{lines}</table></div>")
+    return ('<details><summary>Settings worth having: figures</summary><div class="wide"><table><tr><th>setting</th>'
+            "<th>instructions</th><th>cycles, modelled</th><th>mean error, CIE76</th><th>worst, CIE76</th>"
+            f"<th>pixels that differ, ppm</th></tr>{lines}</table></div></details>")

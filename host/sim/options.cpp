@@ -35,7 +35,7 @@ std::variant<Options, int> parse_command_line(int argc, const char* const* argv)
       ->check(CLI::IsMember({"every", "latest"}));
   app.add_option("--beam", beam,
                  "Frames go out behind the beam of a panel with memory of its own, or without a look at it "
-                 "(default: chase on a real panel with --te)")
+                 "(default: chase on real panels with --te)")
       ->check(CLI::IsMember({"chase", "ignore"}));
   CLI::Option* const png = app.add_option("--png", options.png, "Write the last frame to this file");
   app.add_option(
@@ -79,8 +79,8 @@ std::variant<Options, int> parse_command_line(int argc, const char* const* argv)
         throw CLI::ValidationError("--effects, --trace and --explain are for simulated panels");
       if (options.buffers || options.order)
         throw CLI::ValidationError("--buffers and --order are for simulated panels");
-    } else if (options.report || options.chase) {
-      throw CLI::ValidationError("--report and --beam are for real panels");
+    } else if (options.report) {
+      throw CLI::ValidationError("--report is for real panels");
     }
   } catch (const CLI::ParseError& error) {
     return app.exit(error);

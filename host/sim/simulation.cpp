@@ -11,6 +11,7 @@
 #include <host/sim/apng.hpp>
 #include <host/sim/explain.hpp>
 #include <host/sim/program.hpp>
+#include <host/sim/simulated_beam.hpp>
 #include <host/sim/simulation.hpp>
 #include <host/sim/timeline.hpp>
 #include <host/sim/trace.hpp>
@@ -114,6 +115,7 @@ class Simulation {
     // Where frames are dropped, the timeline knows which ones the panel was asked for.
     if (options.explain || options.trace || pace_.late == intaglio::present::Late::drop)
       timeline_.emplace(panel_, clock_, pace_.interval);
+    if (options.chase.value_or(false)) chase_beam();
     if (glass_.by_refresh()) glass_.on_refresh([this] { take_picture(); });
     pictures_per_second_ = options.frames_per_second;
     if (glass_.by_refresh())
@@ -140,7 +142,8 @@ class Simulation {
         {.pace = pace_,
          .frames = frames_,
          .on_frame = [this](std::uint32_t frame, std::uint32_t digest) { return on_frame(frame, digest); },
-         .on_draw = [this](std::uint32_t frame, bool begins) { on_draw(frame, begins); }},
+         .on_draw = [this](std::uint32_t frame, bool begins) { on_draw(frame, begins); },
+         .chaser = chaser_ ? &*chaser_ : nullptr},
         counts_);
     if (timeline_) timeline_->set_counts(counts_);
     // Until the last frame has been seen in a whole refresh.
@@ -157,6 +160,14 @@ class Simulation {
   }
 
  private:
+  void chase_beam() {
+    std::string notice;
+    const intaglio::present::BeamTiming timing = simulated_beam(panel_of(options_), effects_, notice);
+    if (!notice.empty()) fmt::print(stderr, "{}: {}", options_.panel, notice);
+    vblanks_.emplace(panel_, clock_);
+    chaser_.emplace(clock_, *vblanks_, timing);
+  }
+
   bool on_frame(std::uint32_t frame, std::uint32_t digest) {
     if (options_.digest) fmt::print("frame {} crc32 {:08x}\n", frame, digest);
     if (dropped_as_late()) {
@@ -250,6 +261,8 @@ class Simulation {
   /// A write panel tears by its nature: it shows what has arrived. It is watched only if asked for.
   std::optional<hal::sim::TearingDetector> tearing_;
   std::optional<Timeline> timeline_;
+  std::optional<SimulatedVblanks> vblanks_;
+  std::optional<intaglio::present::BeamChaser> chaser_;
   std::string animation_path_;
   std::unique_ptr<ApngWriter> animation_;
   std::unique_ptr<ApngWriter> still_;

@@ -152,7 +152,7 @@ std::optional<DeviceInfo> decode_info(std::span<const std::uint8_t> payload) noe
                         c.width <= most_side && c.height >= 1 && c.height <= most_side &&
                         (bits == 1 || bits == 2 || bits == 4 || bits == 8) && scan <= 3 &&
                         c.palette_entries <= 1 << bits && c.palette_bits >= 1 && c.palette_bits <= 8 &&
-                        c.refresh_millihertz >= 1;
+                        c.refresh_millihertz >= least_millihertz;
   if (!possible) return {};
   c.scan = static_cast<ScanDirection>(scan);
   return info;

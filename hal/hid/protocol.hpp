@@ -29,6 +29,8 @@ inline constexpr std::size_t header_bytes = 6;
 inline constexpr int most_window = 16;
 /// Sides of the largest picture.
 inline constexpr int most_side = 4096;
+/// A frame in 10 seconds: a host waits some frames for a VBLANK before it gives a device up.
+inline constexpr std::uint32_t least_millihertz = 100;
 /// Bytes of a RECTANGLE's payload in front of its runs.
 inline constexpr std::size_t rectangle_bytes = 8;
 

@@ -47,7 +47,8 @@ Packed pack(std::span<const std::uint8_t> fresh, std::span<const std::uint8_t> b
   while (done.taken < fresh.size() && room.size() - done.written >= least_token_room) {
     const std::size_t skip = same_as_before(fresh, before, done.taken, most_long);
     const std::size_t run = run_at(fresh, done.taken, most_long);
-    if (skip >= worth_a_token || (skip > 0 && done.taken + skip == fresh.size())) {
+    // The longer one: it costs no more, and what was looked at is taken.
+    if ((skip >= worth_a_token && skip >= run) || (skip > 0 && done.taken + skip == fresh.size())) {
       if (skip <= most_short_skip) {
         put(first_skip + skip - 1U);
       } else {

@@ -21,6 +21,11 @@ Rect united(const Rect& a, const Rect& b) noexcept {
   return {x, y, std::max(a.x + a.width, b.x + b.width) - x, std::max(a.y + a.height, b.y + b.height) - y};
 }
 
+bool same_pixels(const Capabilities& a, const Capabilities& b) noexcept {
+  return a.width == b.width && a.height == b.height && a.bits_per_pixel == b.bits_per_pixel &&
+         a.palette_entries == b.palette_entries && a.palette_bits == b.palette_bits;
+}
+
 std::uint16_t bits_of(const Keys& keys) noexcept {
   unsigned bits = 0;
   for (unsigned key = 0; key <= static_cast<unsigned>(Key::back); ++key)
@@ -48,8 +53,9 @@ Device::Device(Panel& panel, Input* input, std::span<std::uint8_t> memory,
   }
   info_.report_bytes = static_cast<std::uint16_t>(options.report_bytes);
   info_.window = static_cast<std::uint8_t>(options.window);
-  // What the host would refuse isn't offered.
-  if (!decode_info(encode(info_))) {
+  // What the host would refuse, or what doesn't fit into the report, isn't offered.
+  const auto offered = decode_info(encode(info_));
+  if (!offered || !same_pixels(offered->capabilities, info_.capabilities)) {
     status_ = {Error::unsupported, Part::panel};
     return;
   }
@@ -127,7 +133,7 @@ void Device::open(const Report& report) noexcept {
   area_ = {};
   written_ = 0;
   unacknowledged_ = 0;
-  complaint_due_ = colours_due_ = false;
+  state_due_ = complaint_due_ = colours_due_ = false;
 }
 
 void Device::receive(std::span<const std::uint8_t> bytes) noexcept {

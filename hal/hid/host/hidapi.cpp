@@ -30,7 +30,7 @@ void append_utf8(std::string& text, std::uint32_t c) {
   } else if (c < 0x800U) {
     put(0xC0U | c >> 6U);
     put(0x80U | (c & 63U));
-  } else if (c < 0x10000U) {
+  } else if (c < 0x10000U && (c < 0xD800U || c > 0xDFFFU)) {
     put(0xE0U | c >> 12U);
     put(0x80U | (c >> 6U & 63U));
     put(0x80U | (c & 63U));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <hal/hid/host/link.hpp>
+#include <hal/hid/host/patience.hpp>
 
 #include <algorithm>
 
@@ -8,6 +9,8 @@ namespace hal::hid {
 namespace {
 
 constexpr Status silent{Error::timeout, Part::panel};
+/// A clock that leaps, or a machine that slept, is no reason to give up: it must have been tried.
+constexpr int least_attempts = 3;
 
 bool same_panel(const DeviceInfo& a, const DeviceInfo& b) {
   DeviceInfo x = a;
@@ -53,6 +56,7 @@ Status Link::greet() {
     oldest_ = next_ = 0;
     gap_ = lost_ = false;
     const Status s = ask(ReportType::hello, encode(Hello{nonce_, true}), ReportType::capabilities);
+    vblank_told_at_ = clock_->now();
     // A session in which something was sent already is one of another program that chose the same nonce.
     if (!s.ok() || answer_sequence_ == 0) return s;
   }
@@ -82,16 +86,19 @@ Status Link::ask(ReportType type, std::span<const std::uint8_t> payload, ReportT
   answered_ = false;
   awaited_ = answer;
   const std::uint64_t senseless_before = counters_.senseless;
-  const Nanoseconds until = clock_->now() + options_.patience;
-  while (clock_->now() < until) {
+  for (Patience patience(*clock_, options_.patience, least_attempts); !patience.over();) {
     if (const Status s = put(report); !s.ok()) return s;
     ++counters_.sent;
     const Nanoseconds again = clock_->now() + options_.retry;
-    for (Nanoseconds now = clock_->now(); now < again; now = clock_->now()) {
-      const Status s = listen(again - now);
+    Nanoseconds left = options_.retry;
+    // Listens once even if the clock leaps in between.
+    while (left != 0) {
+      const Status s = listen(left);
       if (answered_) return {};
       if (!s.ok() && s.error() != Error::timeout) return s;
       if (lost_) return {Error::disconnected, Part::panel};
+      const Nanoseconds now = clock_->now();
+      left = again > now ? again - now : 0;
     }
   }
   return counters_.senseless != senseless_before ? Status{Error::unsupported, Part::panel} : silent;
@@ -148,14 +155,7 @@ void Link::hear(std::span<const std::uint8_t> bytes) {
         ++counters_.senseless;
         return;
       }
-      state_ = *state;
-      if (acknowledged != 0) {
-        oldest_ = state->next;
-        start_waiting();
-      }
-      // A device tells of the same gap until it is filled; being told once a while is enough.
-      const bool served = state->next == resent_from_ && clock_->now() < resent_at_ + options_.retry;
-      gap_ = state->gap && in_flight() != 0 && !served;
+      take_state(*state);
       return;
     }
     default:
@@ -163,13 +163,55 @@ void Link::hear(std::span<const std::uint8_t> bytes) {
   }
 }
 
+void Link::take_state(const DeviceState& state) {
+  const bool waited = frame_waits();
+  if (state.vblanks != state_.vblanks) vblank_told_at_ = clock_->now();
+  state_ = state;
+  const bool acknowledges = state.next != oldest_;
+  if (acknowledges && !waited) measure(static_cast<std::uint16_t>((state.next - 1U) & 0xFFFFU));
+  if (acknowledges) {
+    oldest_ = state.next;
+    start_waiting();
+  }
+  if (waited && !frame_waits()) {
+    taking_since_ = clock_->now();
+    pause_ = answer_time();
+    resend_at_ = std::min(resend_at_, taking_since_ + pause_);
+  }
+  // A device tells of the same gap until it is filled; being told once a while is enough.
+  const bool served = served_ && clock_->now() < resend_at_;
+  gap_ = state.gap && in_flight() != 0 && !served;
+}
+
+void Link::measure(std::uint16_t acknowledged) {
+  const Slot& slot = slot_of(acknowledged);
+  // Which of the two was answered can't be told.
+  if (slot.again) return;
+  const Nanoseconds now = clock_->now();
+  const Nanoseconds sent_at = std::max(slot.sent_at, taking_since_);
+  // A longer one would be cut anyway.
+  const Nanoseconds trip = std::min(now > sent_at ? now - sent_at : 0, options_.retry);
+  if (!measured_) {
+    measured_ = true;
+    mean_ = trip;
+    deviation_ = trip / 2U;
+  }
+  const Nanoseconds off = trip > mean_ ? trip - mean_ : mean_ - trip;
+  deviation_ = (3U * deviation_ + off) / 4U;
+  mean_ = (7U * mean_ + trip) / 8U;
+}
+
+Nanoseconds Link::answer_time() const {
+  if (!measured_) return options_.retry;
+  return std::clamp(mean_ + 4U * deviation_, std::min(options_.least_retry, options_.retry), options_.retry);
+}
+
 void Link::start_waiting() {
   attempts_ = 0;
   progress_at_ = clock_->now();
-  pause_ = options_.retry;
+  pause_ = frame_waits() ? options_.retry : answer_time();
   resend_at_ = progress_at_ + pause_;
-  resent_at_ = 0;
-  resent_from_ = next_;
+  served_ = false;
 }
 
 Status Link::listen(Nanoseconds patience) {
@@ -190,15 +232,19 @@ Status Link::drain() {
 }
 
 Status Link::resend() {
+  served_ = true;
+  return resend(oldest_);
+}
+
+Status Link::resend(std::uint16_t first) {
   gap_ = false;
   ++attempts_;
-  resent_from_ = oldest_;
-  resent_at_ = clock_->now();
-  resend_at_ = resent_at_ + pause_;
-  for (std::uint16_t sequence = oldest_; sequence != next_; ++sequence) {
+  for (std::uint16_t sequence = first; sequence != next_; ++sequence) {
+    slot_of(sequence).again = true;
     if (const Status s = put(slot(sequence)); !s.ok()) return s;
     ++counters_.resent;
   }
+  resend_at_ = clock_->now() + pause_;
   return {};
 }
 
@@ -212,23 +258,36 @@ Status Link::make_progress() {
   if (lost_) return {Error::disconnected, Part::panel};
   if (oldest_ != before) return {};
   const Nanoseconds later = clock_->now();
-  // A clock that leaps, or a machine that slept, is no reason to give up: it must have been tried.
-  constexpr int least_attempts = 3;
   if (later >= progress_at_ + options_.patience && attempts_ >= least_attempts) return silent;
   if (gap_ || later < resend_at_) return {};
   pause_ = std::min(pause_ * 2U, options_.retry * 8U);
-  return resend();
+  // Most often the last one was lost, of which no other tells; if not, the device says now where the gap is.
+  return attempts_ == 0 ? resend(last()) : resend();
 }
 
 Status Link::transmit(ReportType type, std::span<const std::uint8_t> payload) {
+  // A gap that is filled at once costs the least.
+  if (const Status s = drain(); !s.ok()) return s;
+  if (gap_)
+    if (const Status s = resend(); !s.ok()) return s;
   while (in_flight() >= info_.window)
     if (const Status s = make_progress(); !s.ok()) return s;
   if (in_flight() == 0) start_waiting();
   compose(slot(next_), {type, session_, next_, payload});
-  const auto report = slot(next_);
+  Slot& sent = slot_of(next_);
+  const Status s = put(slot(next_));
   next_ = static_cast<std::uint16_t>((next_ + 1U) & 0xFFFFU);
   ++counters_.sent;
-  return put(report);
+  sent.again = false;
+  sent.sent_at = clock_->now();
+  resend_at_ = sent.sent_at + pause_;
+  return s;
+}
+
+Status Link::prompt() {
+  if (next_ == 0 || in_flight() >= info_.window) return {};
+  ++counters_.prompts;
+  return put(slot(last()));
 }
 
 Status Link::put(std::span<const std::uint8_t> report) {

@@ -22,7 +22,10 @@ constexpr std::uint8_t not_acknowledged = 0x40;
 constexpr std::uint8_t idle = 0x00;
 
 constexpr Nanoseconds answer_patience = 500'000'000;
+constexpr Nanoseconds least_answer_patience = 20'000'000;
 constexpr Nanoseconds engine_patience = 500'000'000;
+/// Questions after which it should be at rest even if the clock has leapt.
+constexpr int engine_chances = 100;
 
 /// States in which the engine has given up: time-outs of start, address, data, stop; address refused.
 bool failed(std::uint8_t state) {
@@ -34,13 +37,13 @@ bool failed(std::uint8_t state) {
 
 Status Mcp2221I2c::ask(const Report& command, Report& answer) noexcept {
   if (const Status s = port_->send(command); !s.ok()) return s;
-  const Nanoseconds until = clock_->now() + answer_patience;
-  for (Nanoseconds now = clock_->now(); now < until; now = clock_->now()) {
-    const Received got = port_->receive(answer, until - now);
+  Patience patience(*clock_, answer_patience);
+  do {
+    const Received got = port_->receive(answer, patience.left(least_answer_patience));
     if (!got.status.ok()) return got.status;
     // An answer to what was asked before, by whomever, is passed over.
     if (got.size == answer.size() && answer[0] == command[0]) return {};
-  }
+  } while (!patience.over());
   return {Error::timeout, Part::bus};
 }
 
@@ -53,11 +56,11 @@ Status Mcp2221I2c::start(std::uint32_t hertz) noexcept {
   command[3] = set_speed;
   command[4] = static_cast<std::uint8_t>(chip_hertz / hertz - 3U);
   Report answer{};
-  const Nanoseconds until = clock_->now() + engine_patience;
+  Patience patience(*clock_, engine_patience, engine_chances);
   do {
     if (const Status s = ask(command, answer); !s.ok()) return s;
     if (answer[1] == 0 && answer[speed_answer] == set_speed) return {};
-  } while (clock_->now() < until);
+  } while (!patience.over());
   return {Error::bus, Part::bus};
 }
 
@@ -74,7 +77,7 @@ Status Mcp2221I2c::do_write(std::uint8_t address, std::span<const std::uint8_t> 
                             std::span<const std::uint8_t> bytes) noexcept {
   const std::size_t all = prefix.size() + bytes.size();
   if (all > most_bytes) return {Error::invalid, Part::bus};
-  const Nanoseconds until = clock_->now() + engine_patience + all * 100'000U;
+  Patience patience(*clock_, engine_patience + all * 100'000U, engine_chances);
   std::size_t done = 0;
   do {
     Report piece{write_data, static_cast<std::uint8_t>(all & 0xFFU), static_cast<std::uint8_t>(all >> 8U),
@@ -82,23 +85,23 @@ Status Mcp2221I2c::do_write(std::uint8_t address, std::span<const std::uint8_t> 
     const std::size_t count = std::min(piece_bytes, all - done);
     for (std::size_t i = 0; i < count; ++i, ++done)
       piece[4 + i] = done < prefix.size() ? prefix[done] : bytes[done - prefix.size()];
-    if (const Status s = send_piece(piece, until); !s.ok()) return cancel(s);
+    if (const Status s = send_piece(piece, patience); !s.ok()) return cancel(s);
   } while (done < all);
-  if (const Status s = settle(until); !s.ok()) return cancel(s);
+  if (const Status s = settle(patience); !s.ok()) return cancel(s);
   return {};
 }
 
-Status Mcp2221I2c::send_piece(const Report& piece, Nanoseconds until) noexcept {
+Status Mcp2221I2c::send_piece(const Report& piece, Patience& patience) noexcept {
   Report answer{};
   for (;;) {
     if (const Status s = ask(piece, answer); !s.ok()) return s;
     if (answer[1] == 0) return {};
     if (failed(answer[2])) return {Error::bus, Part::bus};
-    if (clock_->now() >= until) return {Error::timeout, Part::bus};
+    if (patience.over()) return {Error::timeout, Part::bus};
   }
 }
 
-Status Mcp2221I2c::settle(Nanoseconds until) noexcept {
+Status Mcp2221I2c::settle(Patience& patience) noexcept {
   const Report command{status_or_parameters};
   Report answer{};
   for (;;) {
@@ -106,7 +109,7 @@ Status Mcp2221I2c::settle(Nanoseconds until) noexcept {
     if (failed(answer[engine_state])) return {Error::bus, Part::bus};
     if (answer[engine_state] == idle)
       return (answer[acknowledge] & not_acknowledged) != 0 ? Status{Error::bus, Part::bus} : Status{};
-    if (clock_->now() >= until) return {Error::timeout, Part::bus};
+    if (patience.over()) return {Error::timeout, Part::bus};
   }
 }
 

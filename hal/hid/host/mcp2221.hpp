@@ -10,6 +10,7 @@
 
 #include <hal/bus.hpp>
 #include <hal/clock.hpp>
+#include <hal/hid/host/patience.hpp>
 #include <hal/hid/host/report_port.hpp>
 
 #include <array>
@@ -34,8 +35,8 @@ class Mcp2221I2c final : public I2cBus {
 
   Status do_write(std::uint8_t address, std::span<const std::uint8_t> prefix,
                   std::span<const std::uint8_t> bytes) noexcept override;
-  Status send_piece(const Report& piece, Nanoseconds until) noexcept;
-  Status settle(Nanoseconds until) noexcept;
+  Status send_piece(const Report& piece, Patience& patience) noexcept;
+  Status settle(Patience& patience) noexcept;
   Status cancel(const Status& why) noexcept;
   Status ask(const Report& command, Report& answer) noexcept;
 

@@ -196,8 +196,13 @@ std::uint32_t HidPanel::do_vblank_count() noexcept {
 Nanoseconds HidPanel::vblank_patience() const {
   // As many frames as a device may miss before it counts as stuck, but no less than the link waits.
   constexpr Nanoseconds frames = 8;
-  const Nanoseconds period = 1'000'000'000'000U / capabilities_.refresh_millihertz;
-  return std::max(frames * period, link_->patience());
+  return std::max(frames * period(), link_->patience());
+}
+
+Nanoseconds HidPanel::next_vblank() const {
+  const Nanoseconds due = link_->vblank_told_at() + period() + link_->answer_time();
+  const Nanoseconds now = link_->clock().now();
+  return due > now ? due - now : 0;
 }
 
 Status HidPanel::recover() {
@@ -217,10 +222,17 @@ Status HidPanel::do_wait_for_vblank() noexcept {
     const std::uint32_t before = link_->state().vblanks;
     constexpr Nanoseconds chance = 20'000'000;
     Patience patience(link_->clock(), vblank_patience());
+    bool prompted = false;
     while (connected_ && !link_->lost() && (link_->state().vblanks == before || pending())) {
       if (patience.over()) return {Error::timeout, Part::panel};
-      const Status s = note(link_->listen(patience.left(chance)));
+      const Nanoseconds left = patience.left(chance);
+      const Status s = note(link_->listen(prompted ? left : std::min(left, next_vblank())));
       if (!s.ok() && s.error() != Error::timeout && s.error() != Error::disconnected) return s;
+      // What the device said of it was lost: it is asked, once.
+      if (!prompted && next_vblank() == 0) {
+        prompted = true;
+        note(link_->prompt()).ignore();
+      }
     }
     if (connected_ && !link_->lost()) return {};
   }
@@ -228,8 +240,9 @@ Status HidPanel::do_wait_for_vblank() noexcept {
 }
 
 Keys HidInput::do_poll() noexcept {
-  link_->drain().ignore();
   Keys keys;
+  // Nobody holds the keys of a device that is gone.
+  if (!link_->drain().ok()) return keys;
   for (unsigned key = 0; key <= static_cast<unsigned>(Key::back); ++key)
     if ((static_cast<unsigned>(link_->state().keys) >> key & 1U) != 0) keys.press(static_cast<Key>(key));
   return keys;

@@ -69,7 +69,10 @@ class HidPanel final : public Panel {
   Status recover();
   [[nodiscard]] Rect difference(std::span<const std::uint8_t> picture) const;
   [[nodiscard]] bool pending() const { return committed_ != 0 && link_->state().shown != committed_; }
+  [[nodiscard]] Nanoseconds period() const { return 1'000'000'000'000U / capabilities_.refresh_millihertz; }
   [[nodiscard]] Nanoseconds vblank_patience() const;
+  /// How long until the device should have told of the next VBLANK.
+  [[nodiscard]] Nanoseconds next_vblank() const;
   Status note(const Status& status);
 
   Link* link_;

@@ -59,6 +59,20 @@ TEST_F(HidDevice, SaysNothingUnasked) {
   EXPECT_TRUE(listen().empty());
 }
 
+TEST_F(HidDevice, SaysNothingOfAnEarlierSession) {
+  give(ReportType::hello, encode(Hello{nonce, true}));
+  listen();
+  clock.advance(20'000'000);
+  device.poll();
+  device.unplugged();
+  clock.advance(20'000'000);
+  device.poll();
+  give(ReportType::hello, encode(Hello{nonce + 1, true}));
+  const auto all = listen();
+  ASSERT_EQ(all.size(), 1U);
+  EXPECT_EQ(all[0][0], 0x81);
+}
+
 TEST_F(HidDevice, ComplainsOfReportsOfNoSession) {
   give(ReportType::pixels, skip, 0, 9);
   const auto all = listen();
@@ -138,6 +152,8 @@ TEST_F(HidDevice, SaysWhatIsWrongWithAFrame) {
 TEST_F(HidDevice, TakesNoPanelThatTheProtocolDoesNotHave) {
   hal::sim::Panel wide(hal::sim::paletted(4097, 1, 1), clock);
   EXPECT_EQ(Device(wide, nullptr, {}).status().part(), hal::Part::panel);
+  hal::sim::Panel wider(hal::sim::paletted(65'536 + 8, 1, 1), clock);
+  EXPECT_EQ(Device(wider, nullptr, {}).status().part(), hal::Part::panel) << "it would look 8 pixels wide";
   hal::sim::Panel single(hal::sim::paletted(8, 4, 8, 1), clock);
   Bytes memory(31);
   EXPECT_EQ(Device(single, nullptr, memory).status().part(), hal::Part::buffer);

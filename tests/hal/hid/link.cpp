@@ -243,6 +243,7 @@ TEST(HidLink, NeverTearsAFrameForAProgramThatDoesNotWait) {
     ASSERT_TRUE(show.panel->wait_for_vblank().ok());
     show.expect_shown();
     EXPECT_GE(watch.vblanks, 99);
+    EXPECT_EQ(show.link.counters().resent, 0U) << "a device that waits for its VBLANK has lost nothing";
   }
 }
 
@@ -379,6 +380,130 @@ TEST(HidLink, SurvivesEveryFiftiethReportLost) {
   EXPECT_EQ(show.panel->counters().rejected, 0U);
 }
 
+/// VBLANKs that 300 frames of eight reports take when one of 50 reports is lost, and what the link did.
+struct Losses {
+  std::uint32_t vblanks = 0;
+  hal::hid::LinkCounters link;
+};
+Losses lose_one_of_fifty(Nanoseconds report_time, bool loses) {
+  constexpr std::size_t frames = 300;
+  Show show(hal::sim::paletted(32, 24, 8));
+  show.wire.report_time = report_time;
+  show.open();
+  // The first one is sent whole.
+  EXPECT_TRUE(show.panel->show(0, {}).ok());
+  EXPECT_TRUE(show.panel->wait_for_vblank().ok());
+  std::mt19937 random(5);
+  show.wire.fate = [&](Direction, std::uint64_t) {
+    return loses && random() % 50U == 0 ? Fate::lost : Fate::arrives;
+  };
+  const std::uint32_t before = show.glass.vblank_count();
+  for (std::size_t n = 0; n < frames; ++n) {
+    const auto buffer = show.panel->buffer(n % 2 == 0 ? 0 : 1);
+    for (std::size_t i = 0; i < 600; i += 5) buffer[i] = static_cast<std::uint8_t>(n + i);
+    EXPECT_TRUE(show.panel->show(n % 2 == 0 ? 0 : 1, {}).ok());
+    while (show.panel->show_pending()) EXPECT_TRUE(show.panel->wait_for_vblank().ok());
+  }
+  return {show.glass.vblank_count() - before, show.link.counters()};
+}
+
+TEST(HidLink, LosesHardlyAVblankToLostReports) {
+  // High speed, full speed with two reports a frame of the bus, and full speed: half of the time goes to the
+  // bus.
+  for (const Nanoseconds time : {Nanoseconds{100'000}, Nanoseconds{500'000}, Nanoseconds{1'000'000}}) {
+    const Losses l = lose_one_of_fifty(time, true);
+    EXPECT_LE(l.vblanks, 302U) << time;
+    EXPECT_GT(l.link.resent, 50U);
+    EXPECT_GT(l.link.prompts, 3U);
+  }
+}
+
+TEST(HidLink, SendsNothingTwiceWhereNothingIsLost) {
+  for (const Nanoseconds time : {Nanoseconds{20'000}, Nanoseconds{1'000'000}, Nanoseconds{8'000'000}}) {
+    const Losses l = lose_one_of_fifty(time, false);
+    EXPECT_EQ(l.link.resent, 0U) << time;
+    EXPECT_EQ(l.link.prompts, 0U) << time;
+  }
+}
+
+TEST(HidLink, AsksForAVblankThatItWasNotToldOf) {
+  Show show(scan_out());
+  bool lose = false;
+  show.wire.fate = [&](Direction d, std::uint64_t) {
+    return lose && d == Direction::to_host ? Fate::lost : Fate::arrives;
+  };
+  show.open();
+  show.run(30);
+  const std::uint32_t before = show.glass.vblank_count();
+  // The next thing that the device says is that there was a VBLANK.
+  lose = true;
+  show.wire.answers = [&, told = 0](const Bytes&) mutable { lose = ++told == 1; };
+  ASSERT_TRUE(show.panel->wait_for_vblank().ok());
+  EXPECT_EQ(show.link.counters().prompts, 1U);
+  EXPECT_EQ(show.glass.vblank_count() - before, 1U);
+  EXPECT_EQ(show.panel->vblank_count(),
+            show.device.counters().sessions == 1 ? show.glass.vblank_count() : 0U);
+}
+
+/// A clock that leaps by ten seconds at each question.
+class LeapingClock final : public hal::Clock {
+ public:
+  explicit LeapingClock(VirtualClock& inner) : inner_(&inner) {}
+  bool leaps = true;
+
+ private:
+  Nanoseconds do_now() noexcept override {
+    if (leaps) ahead_ += 10'000'000'000;
+    return inner_->now() + ahead_;
+  }
+  void do_wait_until(Nanoseconds time) noexcept override {
+    if (time > ahead_) inner_->wait_until(time - ahead_);
+  }
+  VirtualClock* inner_;
+  Nanoseconds ahead_ = 0;
+};
+
+TEST(HidLink, OpensASessionHoweverTheClockLeaps) {
+  Show show(scan_out());
+  show.wire.stalled_until = 60'000'000;  // the first HELLO is answered late
+  LeapingClock clock(show.clock);
+  Link link(show.wire, clock);
+  EXPECT_TRUE(link.open().ok());
+  HidPanel panel(link);
+  EXPECT_TRUE(panel.show(0, {}).ok());
+  EXPECT_TRUE(panel.wait_for_vblank().ok());
+}
+
+TEST(HidLink, GoesOnBeyondTheLastNumber) {
+  Show show(hal::sim::paletted(8, 1, 8));
+  show.open();
+  // Empty reports of a frame, which lose one of 50.
+  std::uint64_t lost = 0;
+  show.wire.report_time = 1'000;
+  show.wire.fate = [&](Direction, std::uint64_t n) {
+    if (n % 997U != 996U) return Fate::arrives;
+    ++lost;
+    return Fate::lost;
+  };
+  for (int n = 0; n < 65'600; ++n) ASSERT_TRUE(show.link.transmit(hal::hid::ReportType::pixels, {}).ok());
+  ASSERT_TRUE(show.link.settle().ok());
+  EXPECT_EQ(show.device.counters().accepted, 65'600U);
+  EXPECT_EQ(show.link.state().next, 65'600U - 65'536U);
+  EXPECT_GT(lost, 60U);
+  show.run(3);
+}
+
+TEST(HidLink, LetsGoOfTheKeysOfADeviceThatIsGone) {
+  Show show(scan_out());
+  show.open();
+  HidInput input(show.link);
+  show.buttons.held.press(Key::left);
+  show.wire.idle(1'000'000);
+  EXPECT_EQ(input.poll(), show.buttons.held);
+  show.wire.pull();
+  EXPECT_EQ(input.poll(), hal::Keys{});
+}
+
 TEST(HidLink, SurvivesAWireOnWhichEverythingGoesWrong) {
   for (std::uint32_t seed = 1; seed <= 12 && !HasFailure(); ++seed) {
     Show show(seed % 2 == 0 ? scan_out() : write_panel(33, 20, 8, 1, 1));
@@ -461,6 +586,19 @@ TEST(HidLink, ShowsThePictureAgainWhenTheCableIsPulledWhileNothingIsSent) {
   EXPECT_EQ(show.panel->counters().whole, 2U);
   show.expect_shown();
   show.run(3);
+}
+
+TEST(HidLink, GivesUpADeviceThatKeepsGoingAway) {
+  Show show(scan_out(), {.replug_patience = 1'000'000'000});
+  show.open();
+  show.run(3);
+  // It takes the picture, and goes.
+  show.wire.answers = [&](const Bytes& report) {
+    if (report[0] == static_cast<std::uint8_t>(hal::hid::ReportType::status)) show.wire.pull();
+  };
+  show.wire.pull();
+  EXPECT_EQ(show.panel->wait_for_vblank().error(), Error::disconnected);
+  EXPECT_LE(show.wire.unplugs(), 80);
 }
 
 TEST(HidLink, OpensAnotherSessionWithADeviceThatWasRestarted) {

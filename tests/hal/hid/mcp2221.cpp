@@ -109,4 +109,23 @@ TEST(Mcp2221, GivesUpABusThatHangsAndABridgeThatSaysNothing) {
   EXPECT_EQ(bus.start().error(), Error::timeout);
 }
 
+/// A clock that leaps by a minute at each question.
+class LeapingClock final : public hal::Clock {
+ private:
+  hal::Nanoseconds do_now() noexcept override { return now_ += 60'000'000'000; }
+  void do_wait_until(hal::Nanoseconds) noexcept override {}
+  hal::Nanoseconds now_ = 0;
+};
+
+TEST(Mcp2221, IsNotGivenUpBecauseTheClockLeaps) {
+  hal::sim::VirtualClock clock;
+  Recorder nothing;
+  Bridge bridge(clock, nothing, 0x3C);
+  LeapingClock leaping;
+  Mcp2221I2c bus(bridge, leaping);
+  bridge.stale = 2;
+  ASSERT_TRUE(bus.start().ok());
+  ASSERT_TRUE(bus.write(0x3C, {}, Bytes(100, 1)).ok());
+}
+
 }  // namespace

@@ -108,6 +108,53 @@ TEST(HidProtocol, EverythingComesBackAsItWas) {
   EXPECT_EQ(commit->checksum, 0xDEADBEEFU);
 }
 
+TEST(HidProtocol, BytesAreWhereTheDocumentSays) {
+  const auto all = [](auto bytes) { return Bytes(bytes.begin(), bytes.end()); };
+  EXPECT_EQ(all(encode(Hello{0x44332211, true})),
+            (Bytes{'I', 'T', 'G', 'L', 1, 0, 0x11, 0x22, 0x33, 0x44, 0x01}));
+  EXPECT_EQ(all(encode(Hello{0x44332211, false})).back(), 0x00);
+  DeviceInfo info{.nonce = 0x44332211, .report_bytes = 0x0200, .window = 7, .has_keys = true};
+  info.capabilities = {.width = 0x0102,
+                       .height = 0x0304,
+                       .bits_per_pixel = 4,
+                       .bit_order = hal::BitOrder::lsb_first,
+                       .palette_entries = 16,
+                       .palette_bits = 6,
+                       .scan = hal::ScanDirection::left,
+                       .vblank_signal = true,
+                       .refresh_millihertz = 0x0A0B0C0D};
+  EXPECT_EQ(all(encode(info)),
+            (Bytes{'I',   'T', 'G', 'L', 1,  0, 0x11, 0x22, 0x33, 0x44, 0x00, 0x02, 7, 0x07, 0x02, 0x01,
+                   4 - 0, 3,   4,   3,   16, 0, 6,    0,    0x0D, 0x0C, 0x0B, 0x0A, 0, 0,    0,    0}));
+  const DeviceState state{.next = 9,
+                          .gap = true,
+                          .panel_failed = true,
+                          .verdict = Verdict::mismatch,
+                          .decided = 0x0102,
+                          .shown = 0x0304,
+                          .vblanks = 0x0A0B0C0D,
+                          .keys = 0x0021};
+  EXPECT_EQ(all(encode(state)), (Bytes{0x05, 3, 0x02, 0x01, 0x04, 0x03, 0x0D, 0x0C, 0x0B, 0x0A, 0x21, 0}));
+  EXPECT_EQ(all(encode(DeviceState{.no_session = true})), (Bytes{2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}));
+  EXPECT_EQ(all(encode(Rect{0x0102, 0x0304, 0x0506, 0x0708})), (Bytes{2, 1, 4, 3, 6, 5, 8, 7}));
+  EXPECT_EQ(all(encode(Commit{0x0102, 0x0A0B0C0D})), (Bytes{2, 1, 0x0D, 0x0C, 0x0B, 0x0A}));
+  // The tokens, each at its ends.
+  const auto token = [](const Bytes& bytes) {
+    std::span<const std::uint8_t> rest(bytes);
+    const auto t = take_token(rest);
+    return t ? std::pair(t->kind, t->count) : std::pair(Token::Kind::skip, std::size_t{0});
+  };
+  using Kind = Token::Kind;
+  EXPECT_EQ(token({0x00, 9}), (std::pair(Kind::literal, std::size_t{1})));
+  EXPECT_EQ(token(Bytes(200, 0x7F)), (std::pair(Kind::literal, std::size_t{128})));
+  EXPECT_EQ(token({0x80, 9}), (std::pair(Kind::run, std::size_t{2})));
+  EXPECT_EQ(token({0xBF, 9}), (std::pair(Kind::run, std::size_t{65})));
+  EXPECT_EQ(token({0xC0}), (std::pair(Kind::skip, std::size_t{1})));
+  EXPECT_EQ(token({0xFD}), (std::pair(Kind::skip, std::size_t{62})));
+  EXPECT_EQ(token({0xFE, 2, 1, 9}), (std::pair(Kind::run, std::size_t{258})));
+  EXPECT_EQ(token({0xFF, 2, 1}), (std::pair(Kind::skip, std::size_t{258})));
+}
+
 TEST(HidProtocol, NothingImpossibleIsDecoded) {
   DeviceInfo good;
   good.capabilities = hal::mock::write_panel(8, 8, 8);
@@ -132,6 +179,12 @@ TEST(HidProtocol, NothingImpossibleIsDecoded) {
   EXPECT_FALSE(with(19, 4)) << "scan direction";
   EXPECT_FALSE(with(21, 2)) << "more colours than indices";
   EXPECT_FALSE(with(22, 0)) << "no bits a colour";
+  auto slow = bytes;
+  for (std::size_t i = 24; i < 28; ++i) slow[i] = 0;
+  slow[24] = 100;
+  EXPECT_TRUE(decode_info(slow)) << "a frame in 10 seconds";
+  slow[24] = 99;
+  EXPECT_FALSE(decode_info(slow)) << "a VBLANK for which nobody waits";
   EXPECT_FALSE(decode_info(std::span(bytes).first(bytes.size() - 1)));
   EXPECT_FALSE(decode_hello(encode(Hello{0x100, true}))) << "a mark of 0";
   EXPECT_FALSE(decode_commit(encode(Commit{0, 1})));
@@ -198,6 +251,18 @@ TEST(HidRunLength, PacksWhatIsAlikeAndCostsLittleWhereNothingIs) {
   Bytes noise(1280);
   for (std::size_t i = 0; i < noise.size(); ++i) noise[i] = static_cast<std::uint8_t>(i * 29U);
   EXPECT_EQ(pack(noise, {}, tokens).written, 1290U);
+}
+
+TEST(HidRunLength, ClearsAPatternWithOneRun) {
+  // Every fifth byte differs from what is held: short skips would cost more, and looking for runs again and
+  // again the square of the size.
+  constexpr std::size_t size = 60'000;
+  Bytes held(size);
+  for (std::size_t i = 0; i < size; i += 5) held[i] = 7;
+  Bytes tokens(size);
+  const Packed packed = pack(Bytes(size), held, tokens);
+  EXPECT_EQ(packed.taken, size);
+  EXPECT_EQ(packed.written, 4U);
 }
 
 TEST(HidRunLength, HalfTokensAndEmptyOnesAreRefused) {

@@ -41,6 +41,8 @@ class Wire final : public hal::hid::ReportPort {
   std::function<void(const Bytes&)> answers;
   /// Changes a report that leaves the device.
   std::function<void(Bytes&)> forge;
+  /// How long a report takes.
+  hal::Nanoseconds report_time = 20'000;
   /// The device does nothing until this time.
   hal::Nanoseconds stalled_until = 0;
   /// The cable is pulled when so many reports have been sent, and plugged in again after a while.
@@ -62,7 +64,6 @@ class Wire final : public hal::hid::ReportPort {
   }
 
  private:
-  static constexpr hal::Nanoseconds report_time = 20'000;
   static constexpr std::size_t device_queue = 32;
   static constexpr std::size_t host_queue = 64;
 

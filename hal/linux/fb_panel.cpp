@@ -313,10 +313,16 @@ Status FbPanel::do_wait_for_vblank() noexcept {
   const std::uint32_t before = count_;
   std::uint32_t screen = 0;
   if (tells_vblanks() && file_.control(FBIO_WAITFORVSYNC, screen) == 0) {
-    // The device knows better than the clock when its VBLANK begins.
     const Nanoseconds now = clock().now();
-    count_ += std::max(1U, static_cast<std::uint32_t>((now - anchor_ + period_ / 2U) / period_));
-    anchor_ = now;
+    if (synced_ && now - anchor_ < period_ / 4U) {
+      // Two VBLANKs aren't that close: this driver doesn't wait.
+      clock().wait_until(anchor_ + period_);
+    } else {
+      // The device knows better than the clock when its VBLANK begins.
+      count_ += std::max(1U, static_cast<std::uint32_t>((now - anchor_ + period_ / 2U) / period_));
+      anchor_ = now;
+      synced_ = true;
+    }
   } else {
     clock().wait_until(anchor_ + period_);
   }

@@ -66,7 +66,8 @@ class FbPanel final : public ScreenPanel {
   bool pans_;
   PixelLayout layout_;
   Nanoseconds period_;
-  Nanoseconds anchor_;  // When VBLANK `count_` began.
+  Nanoseconds anchor_;   // When VBLANK `count_` began.
+  bool synced_ = false;  // As the device told it.
   std::uint32_t count_ = 0;
   bool pending_ = false;
   bool new_colours_ = false;  // Of `asked_`, which the device doesn't have yet.

@@ -33,18 +33,36 @@ struct OpenChip {
   std::string name;  // For messages.
 };
 
+[[noreturn]] void refuse_chip(const std::string& path, int error) {
+  if (error == EOPNOTSUPP)
+    throw DeviceError("this build can't drive GPIO lines: it was made without libgpiod");
+  if (error == ENOTTY || error == EINVAL)
+    throw DeviceError(path + " is no GPIO chip; gpiodetect names those");
+  throw DeviceError(cannot_open(path, "GPIO chip", error));
+}
+
 OpenChip open_labelled(const std::string& label) {
   constexpr unsigned most = 64;
   std::string seen;
+  std::string closed;  // The first that can't be opened.
+  int why = 0;
   for (unsigned i = 0; i < most; ++i) {
     const std::string name = "gpiochip" + std::to_string(i);
-    auto chip = gpiod::Chip::open("/dev/" + name);
-    if (!chip) continue;
+    const std::string path = "/dev/" + name;
+    auto chip = gpiod::Chip::open(path);
+    if (!chip) {
+      if (closed.empty() && errno != ENOENT) {
+        why = errno;
+        closed = path;
+      }
+      continue;
+    }
     if (chip->label() == label) return {std::move(*chip), name};
     seen += (seen.empty() ? " " : ", ") + name + " [" + chip->label() + ']';
   }
+  if (seen.empty() && !closed.empty()) refuse_chip(closed, why);
   throw DeviceError("no GPIO chip is called " + quoted(label) +
-                    (seen.empty() ? "; none can be opened" : "; there are" + seen));
+                    (seen.empty() ? "; there is none" : "; there are" + seen));
 }
 
 OpenChip open_chip(const std::string& chip) {
@@ -52,11 +70,7 @@ OpenChip open_chip(const std::string& chip) {
   if (path.empty()) return open_labelled(chip);
   auto opened = gpiod::Chip::open(path);
   if (opened) return {std::move(*opened), path.substr(path.rfind('/') + 1)};
-  if (errno == EOPNOTSUPP)
-    throw DeviceError("this build can't drive GPIO lines: it was made without libgpiod");
-  if (errno == ENOTTY || errno == EINVAL)
-    throw DeviceError(path + " is no GPIO chip; gpiodetect names those");
-  throw DeviceError(cannot_open(path, "GPIO chip", errno));
+  refuse_chip(path, errno);
 }
 
 unsigned find_line(const OpenChip& of, const std::string& line) {
@@ -67,8 +81,9 @@ unsigned find_line(const OpenChip& of, const std::string& line) {
   if (!numbered)
     throw DeviceError("GPIO chip " + of.name + " has no line " + quoted(line) + "; gpioinfo names its lines");
   if (*numbered >= count)
-    throw DeviceError("GPIO chip " + of.name + " has lines 0 to " + std::to_string(count - 1) + ", no " +
-                      line);
+    throw DeviceError("GPIO chip " + of.name +
+                      (count == 0 ? " has no lines" : " has lines 0 to " + std::to_string(count - 1)) +
+                      ", no " + line);
   return *numbered;
 }
 
@@ -101,7 +116,10 @@ LineAddress line_address(std::string_view text, std::string_view default_chip) {
 }
 
 HeldLines HeldLines::outputs(const std::vector<LineAddress>& lines, unsigned values) {
-  OpenChip of = open_chip(lines.at(0).chip);
+  if (lines.empty() || lines.size() > gpiod::most_lines)
+    throw DeviceError("GPIO lines are driven 1 to " + std::to_string(gpiod::most_lines) + " at a time, not " +
+                      std::to_string(lines.size()));
+  OpenChip of = open_chip(lines[0].chip);
   std::vector<unsigned> numbers;
   std::string name;
   for (const LineAddress& line : lines) {
@@ -146,6 +164,14 @@ Status BitBangSpi::set(unsigned values) noexcept {
 }
 
 Status BitBangSpi::do_write(std::span<const std::uint8_t> bytes) noexcept {
+  const Status sent = send(bytes);
+  if (sent.ok()) return set(select_bit);
+  // Deselected even so, the panel takes the next transfer from its first bit on.
+  static_cast<void>(lines_.request().set(select_bit));
+  return sent;
+}
+
+Status BitBangSpi::send(std::span<const std::uint8_t> bytes) noexcept {
   // Data change while the clock is low and are taken at its rising edge.
   for (const std::uint8_t byte : bytes)
     for (unsigned mask = 0x80; mask != 0; mask >>= 1U) {
@@ -153,8 +179,7 @@ Status BitBangSpi::do_write(std::span<const std::uint8_t> bytes) noexcept {
       if (const Status s = set(data); !s.ok()) return s;
       if (const Status s = set(data | clock_bit); !s.ok()) return s;
     }
-  if (const Status s = set(0); !s.ok()) return s;
-  return set(select_bit);
+  return set(0);
 }
 
 TeLine::TeLine(const LineAddress& line, Clock& clock, std::uint32_t refresh_millihertz)
@@ -196,8 +221,10 @@ void TeLine::count_edge(Nanoseconds time, bool lost_some) noexcept {
 }
 
 int TeLine::take_edges(Nanoseconds deadline) noexcept {
+  // A line that never rests (a floating one, or a clock) must not hold the program.
+  constexpr int most_readings = 64;
   bool any = false;
-  for (;;) {
+  for (int readings = 0; readings < most_readings;) {
     const Nanoseconds now = clock_->now();
     const auto left = any || now >= deadline ? 0 : static_cast<std::int64_t>(deadline - now);
     const int come = line_.request().wait(left);
@@ -210,12 +237,14 @@ int TeLine::take_edges(Nanoseconds deadline) noexcept {
     std::array<Nanoseconds, gpiod::queued_edges> times{};
     const int count = line_.request().read(times);
     if (count < 0) return -1;
+    ++readings;
     const bool full = static_cast<std::size_t>(count) == times.size();
     for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
       count_edge(times[i], full || (was_full_ && i == 0));
     was_full_ = full;
     any = any || count > 0;
   }
+  return any ? 1 : 0;
 }
 
 void TeLine::count_ticks(Nanoseconds now) noexcept {

@@ -72,6 +72,7 @@ class BitBangSpi final : public SpiBus {
  private:
   Status do_write(std::span<const std::uint8_t> bytes) noexcept override;
   Status set(unsigned values) noexcept;
+  Status send(std::span<const std::uint8_t> bytes) noexcept;
   HeldLines lines_;
   Fault fault_;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "fake_gpio.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <memory>
 
@@ -28,6 +29,8 @@ bool Kernel::call() {
     --calls_left;
     return true;
   }
+  if (failures <= 0) return true;
+  --failures;
   errno = error;
   return false;
 }
@@ -80,6 +83,7 @@ int Kernel::wait(hal::Nanoseconds timeout) {
     clock.advance(timeout / 3U);
     return fail(EINTR);
   }
+  if (storm) return 1;
   queue_due();
   if (!queue_.empty()) return 1;
   const hal::Nanoseconds end = clock.now() + timeout;
@@ -90,6 +94,10 @@ int Kernel::wait(hal::Nanoseconds timeout) {
 
 int Kernel::read(hal::Nanoseconds* times, int most) {
   if (!call()) return -1;
+  if (storm) {
+    std::fill_n(times, most, clock.now());
+    return most;
+  }
   int count = 0;
   for (; count < most && !queue_.empty(); queue_.pop_front()) times[count++] = queue_.front();
   if (count > 0) on_edges_read();

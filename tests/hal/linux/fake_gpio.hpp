@@ -36,6 +36,8 @@ class Kernel {
   /// Calls the kernel has left before every one fails with `error`.
   int calls_left = 1 << 30;
   int error = 0;
+  int failures = 1 << 30;  ///< After so many of them all goes well again.
+  bool storm = false;      ///< The line that is watched never rests.
   /// Waits that end early for a signal.
   int signals = 0;
   /// Called when lines were set, all of them at once.

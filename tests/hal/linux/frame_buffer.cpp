@@ -119,7 +119,7 @@ class Device final : public System {
       case FBIO_WAITFORVSYNC:
         ++waits;
         if (!tells_vblanks) return fail(ENOTTY);
-        time.advance(refresh);
+        if (waits_for_vblank) time.advance(refresh);
         return 0;
       default:
         return fail(ENOTTY);
@@ -150,6 +150,7 @@ class Device final : public System {
   std::vector<std::string> happened;
   bool fixed_mode = false;
   bool tells_vblanks = false;
+  bool waits_for_vblank = true;
   int waits = 0;
   int fault = 0;              ///< Of every request,
   unsigned long failing = 0;  ///< of this one.
@@ -279,6 +280,16 @@ TEST(FrameBuffer, VblanksAreTheDevicesWhereItTellsThem) {
   ASSERT_TRUE(panel.wait_for_vblank().ok());
   EXPECT_EQ(device.waits, waits + 1);
   EXPECT_GT(panel.vblank_count(), before);
+}
+
+TEST(FrameBuffer, ADriverThatDoesNotWaitIsWaitedForByTheClock) {
+  Device device(8);
+  device.tells_vblanks = true;
+  device.waits_for_vblank = false;
+  FbPanel panel("/dev/fb0", {}, device);
+  for (int i = 0; i < 101; ++i) ASSERT_TRUE(panel.wait_for_vblank().ok());
+  EXPECT_EQ(device.time.now(), 100U * Device::refresh);
+  EXPECT_EQ(panel.vblank_count(), 101U);
 }
 
 TEST(FrameBuffer, TheDeviceIsLeftBlankAndAsItWas) {

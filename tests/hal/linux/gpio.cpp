@@ -100,6 +100,24 @@ TEST_F(Gpio, WhatCanNotBeHadIsSaidWithChipAndLine) {
   EXPECT_THAT(output("3", "1"), HasSubstr("/dev/gpiochip3 is no GPIO chip"));
 }
 
+TEST_F(Gpio, WhyNoChipCanBeOpenedIsSaidWhereALabelIsLookedFor) {
+  for (auto& [path, chip] : kernel().chips) chip.open_error = EACCES;
+  const auto labelled = [] { return refusal([] { OutputLine({"lab", "1"}, true); }); };
+  EXPECT_THAT(labelled(), HasSubstr("GPIO chip /dev/gpiochip0: permission denied; "));
+  kernel().chips["/dev/gpiochip3"].open_error = 0;
+  EXPECT_THAT(labelled(), HasSubstr("no GPIO chip is called 'lab'; there are gpiochip3 [display]"));
+  kernel().chips.clear();
+  EXPECT_THAT(labelled(), HasSubstr("no GPIO chip is called 'lab'; there is none"));
+}
+
+TEST_F(Gpio, AChipWithoutLinesIsSaid) {
+  kernel().chips["/dev/gpiochip0"].lines.clear();
+  EXPECT_THAT(refusal([] {
+                OutputLine({"gpiochip0", "5"}, true);
+              }),
+              HasSubstr("GPIO chip gpiochip0 has no lines, no 5"));
+}
+
 TEST_F(Gpio, AHeldLineIsSaidWithItsHolder) {
   line(1).consumer = "spi0 CS0";
   const std::string said = refusal([] { OutputLine({"gpiochip3", "DC"}, true); });
@@ -125,6 +143,12 @@ TEST_F(Gpio, LinesDrivenTogetherAreOfOneChipAndDifferent) {
                 BitBangSpi({{"gpiochip3", "5"}, {"gpiochip3", "5"}});
               }),
               HasSubstr("named twice"));
+}
+
+TEST_F(Gpio, LinesDrivenTogetherAreAFew) {
+  EXPECT_THAT(refusal([] { BitBangSpi({}); }), HasSubstr("1 to 8 at a time, not 0"));
+  const std::vector<LineAddress> nine(9, LineAddress{"gpiochip3", "5"});
+  EXPECT_THAT(refusal([&] { BitBangSpi{nine}; }), HasSubstr("not 9"));
 }
 
 TEST_F(Gpio, AChipPulledOutIsAFaultThatNamesTheLine) {
@@ -179,6 +203,16 @@ TEST_F(Gpio, ATransferByHandEndsAtTheFirstFault) {
   }
   kernel().calls_left = 50;
   EXPECT_TRUE(bus.write(bytes).ok()) << "two calls a bit, and two to end";
+}
+
+TEST_F(Gpio, ATransferByHandIsDeselectedAfterAFaultToo) {
+  const std::vector<std::uint8_t> bytes(3, 0x5A);
+  BitBangSpi bus({{"gpiochip3", "5"}, {"gpiochip3", "4"}, {"gpiochip3", "6"}});
+  kernel().error = EIO;
+  kernel().failures = 1;
+  kernel().calls_left = 21;
+  EXPECT_EQ(bus.write(bytes), Status(Error::bus, Part::bus));
+  EXPECT_EQ(value(6), 1);
 }
 
 class Te : public Gpio {
@@ -264,6 +298,13 @@ TEST_F(Te, ASilentLineIsStoodInForUntilItIsHeardAgain) {
   EXPECT_FALSE(te.silent());
   EXPECT_EQ(te.silences(), 1U);
   EXPECT_THAT(te.take_notices(), HasSubstr("heard again"));
+}
+
+TEST_F(Te, ALineThatNeverRestsDoesNotHoldTheProgram) {
+  TeLine te({"gpiochip3", "TE"}, kernel().clock, 60'000);
+  kernel().storm = true;
+  EXPECT_TRUE(te.wait().ok());
+  EXPECT_GT(te.count(), 0U);
 }
 
 TEST_F(Te, SignalsDoNotEndAWait) {

@@ -22,6 +22,15 @@ constexpr std::uint8_t control_data = 0x40;
 
 }  // namespace
 
+std::vector<std::uint8_t> StrictController::noise_bytes(unsigned seed, std::size_t size) {
+  std::vector<std::uint8_t> bytes(size);
+  for (std::uint8_t& byte : bytes) {
+    seed = seed * 1103515245U + 12345U;
+    byte = static_cast<std::uint8_t>(seed >> 16U);
+  }
+  return bytes;
+}
+
 void StrictController::breach(std::string_view what) const {
   if (report_) {
     report_(what);

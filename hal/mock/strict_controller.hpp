@@ -73,6 +73,8 @@ class StrictController {
   /// A byte for the display memory.
   virtual void store(std::uint8_t byte) = 0;
 
+  /// What memory holds at power-on.
+  [[nodiscard]] static std::vector<std::uint8_t> noise_bytes(unsigned seed, std::size_t size);
   /// Reports a breach of the protocol.
   void breach(std::string_view what) const;
   /// Reports a parameter outside low .. high; true if it is inside.

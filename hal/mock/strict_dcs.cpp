@@ -35,9 +35,7 @@ void StrictDcs::hardware_reset() {
 
 void StrictDcs::set_defaults() {
   mode_ = 0;
-  column_begin_ = row_begin_ = 0;
-  column_end_ = memory_width - 1;
-  row_end_ = memory_height - 1;
+  window_ = {{0, memory_width - 1}, {0, memory_height - 1}};
   writing_ = false;
   left_ = bit_count_ = 0;
   format_ = 6;
@@ -181,14 +179,12 @@ void StrictDcs::set_window(std::uint8_t command, const std::vector<std::uint8_t>
   const bool long_side = ((mode_ & exchanged) != 0) == (command == 0x2A);
   const int limit = long_side ? memory_height : memory_width;
   if (!in_range(command, first, 0, limit - 1) || !in_range(command, last, first, limit - 1)) return;
-  (command == 0x2A ? column_begin_ : row_begin_) = first;
-  (command == 0x2A ? column_end_ : row_end_) = last;
+  (command == 0x2A ? window_.column : window_.row) = {first, last, first};
 }
 
 void StrictDcs::begin_pixels() {
-  column_ = column_begin_;
-  row_ = row_begin_;
-  left_ = (column_end_ - column_begin_ + 1) * (row_end_ - row_begin_ + 1);
+  window_.restart();
+  left_ = window_.places();
   bit_count_ = 0;
   bits_ = 0;
   writing_ = true;
@@ -236,8 +232,8 @@ void StrictDcs::put(std::uint16_t colour) {
   }
   --left_;
   const bool turned = (mode_ & exchanged) != 0;
-  int column = turned ? row_ : column_;
-  int row = turned ? column_ : row_;
+  int column = (turned ? window_.row : window_.column).at;
+  int row = (turned ? window_.column : window_.row).at;
   if ((mode_ & column_order) != 0) column = memory_width - 1 - column;
   if ((mode_ & row_order) != 0) row = memory_height - 1 - row;
   // A window set before the address mode was changed may lie outside.
@@ -246,9 +242,7 @@ void StrictDcs::put(std::uint16_t colour) {
   } else {
     memory_[static_cast<std::size_t>(row * memory_width + column)] = colour;
   }
-  if (++column_ <= column_end_) return;
-  column_ = column_begin_;
-  if (++row_ > row_end_) row_ = row_begin_;
+  window_.next();
 }
 
 std::uint16_t StrictDcs::shown(std::uint16_t colour) const {

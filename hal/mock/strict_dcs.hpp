@@ -12,6 +12,7 @@
 #pragma once
 
 #include <hal/clock.hpp>
+#include <hal/mock/address_window.hpp>
 #include <hal/mock/strict_controller.hpp>
 
 namespace hal::mock {
@@ -80,8 +81,7 @@ class StrictDcs : public StrictController {
   DcsGlass glass_;
   std::vector<std::uint16_t> memory_;
   unsigned mode_ = 0;
-  int column_begin_ = 0, column_end_ = 0, row_begin_ = 0, row_end_ = 0;
-  int column_ = 0, row_ = 0;
+  AddressWindow window_;
   int left_ = 0;  // Pixels of the window that haven't come yet.
   bool writing_ = false;
   int format_ = 6;

@@ -6,28 +6,17 @@
 // last is full.
 #pragma once
 
-#include <hal/mock/strict_controller.hpp>
-
-#include <array>
+#include <hal/mock/strict_grey_oled.hpp>
 
 namespace hal::mock {
 
-class StrictSsd0323 final : public StrictController {
+class StrictSsd0323 final : public StrictGreyOled {
  public:
   static constexpr int width = 128;
   static constexpr int height = 64;
 
-  /// At power-on: memory full of noise, display off.
   StrictSsd0323();
   ~StrictSsd0323() override = default;
-
-  [[nodiscard]] Pattern displayed() const override;
-  [[nodiscard]] int beam_row(int step) const override {
-    return (remap_ & remap_row) != 0 ? step : height - 1 - step;
-  }
-  /// The same whether or not the display is on.
-  [[nodiscard]] Pattern memory() const;
-  [[nodiscard]] bool on() const { return on_; }
 
  private:
   static constexpr int columns = 64;
@@ -36,23 +25,16 @@ class StrictSsd0323 final : public StrictController {
   static constexpr unsigned remap_column = 1;
   static constexpr unsigned remap_nibble = 2;
   static constexpr unsigned vertical_increment = 4;
-  static constexpr unsigned remap_row = 16;
 
   [[nodiscard]] int parameters(std::uint8_t command) const override;
-  void execute(std::uint8_t command, const std::vector<std::uint8_t>& parameters) override;
+  void execute(std::uint8_t command, const std::vector<std::uint8_t>& given) override;
   void store(std::uint8_t byte) override;
-  void set_window(std::uint8_t command, int first, int last, int limit, int& begin, int& end);
+  [[nodiscard]] int nibble_of(int x) const override;
+  void set_window(std::uint8_t command, const std::vector<std::uint8_t>& given, int limit,
+                  AddressWindow::Axis& side);
 
-  std::array<std::uint8_t, std::size_t{columns} * rows> memory_{};
-  int column_begin_ = 0, column_end_ = columns - 1, row_begin_ = 0, row_end_ = rows - 1;
-  int column_ = 0;
-  int row_ = 0;
-  int left_in_window_ = 0;
+  int left_in_window_ = 0;  // Bytes.
   bool window_started_ = false;
-  unsigned remap_ = 0;
-  int start_line_ = 0;
-  bool on_ = false;
-  std::uint8_t mode_ = 0xA4;
 };
 
 }  // namespace hal::mock

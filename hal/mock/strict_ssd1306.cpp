@@ -9,13 +9,8 @@ StrictSsd1306::StrictSsd1306(int width, int height, int column_offset, std::uint
       width_(width),
       height_(height),
       column_offset_(column_offset),
-      memory_columns_(memory_columns) {
-  unsigned noise = 54321;
-  for (int i = 0; i < columns * pages; ++i) {
-    noise = noise * 1103515245U + 12345U;
-    memory_.push_back(static_cast<std::uint8_t>(noise >> 16U));
-  }
-}
+      memory_columns_(memory_columns),
+      memory_(noise_bytes(54321, std::size_t{columns} * pages)) {}
 
 int StrictSsd1306::parameters(std::uint8_t command) const {
   const auto between = [command](int low, int high) { return command >= low && command <= high; };
@@ -56,26 +51,22 @@ int StrictSsd1306::parameters(std::uint8_t command) const {
 
 void StrictSsd1306::execute(std::uint8_t command, const std::vector<std::uint8_t>& given) {
   if (command <= 0x0F) {
-    column_ = (column_ & 0xF0) | command;
+    window_.column.at = (window_.column.at & 0xF0) | command;
   } else if (command <= 0x1F) {
-    column_ = (column_ & 0x0F) | (command & 0x0F) << 4;
+    window_.column.at = (window_.column.at & 0x0F) | (command & 0x0F) << 4;
   } else if (command >= 0x40 && command <= 0x7F) {
     start_line_ = command & 63;
   } else if (command >= 0xB0 && command <= 0xB7) {
-    page_ = command & 7;
+    window_.row.at = command & 7;
   } else if (command == 0x20) {
     if (in_range(command, given[0], 0, 2)) addressing_ = static_cast<Addressing>(given[0]);
   } else if (command == 0x21) {
     if (in_range(command, given[0], 0, memory_columns_ - 1) &&
-        in_range(command, given[1], given[0], memory_columns_ - 1)) {
-      column_ = column_begin_ = given[0];
-      column_end_ = given[1];
-    }
+        in_range(command, given[1], given[0], memory_columns_ - 1))
+      window_.column = {given[0], given[1], given[0]};
   } else if (command == 0x22) {
-    if (in_range(command, given[0], 0, pages - 1) && in_range(command, given[1], given[0], pages - 1)) {
-      page_ = page_begin_ = given[0];
-      page_end_ = given[1];
-    }
+    if (in_range(command, given[0], 0, pages - 1) && in_range(command, given[1], given[0], pages - 1))
+      window_.row = {given[0], given[1], given[0]};
   } else if (command == 0xA8) {
     in_range(command, given[0], 15, 63);
   } else if (command == 0xD3) {
@@ -94,26 +85,15 @@ void StrictSsd1306::execute(std::uint8_t command, const std::vector<std::uint8_t
 }
 
 void StrictSsd1306::store(std::uint8_t byte) {
-  if (column_ >= memory_columns_) {
-    breach("data beyond the end of page " + std::to_string(page_));
+  if (window_.column.at >= memory_columns_) {
+    breach("data beyond the end of page " + std::to_string(window_.row.at));
     return;
   }
-  memory_[static_cast<std::size_t>(page_ * columns + column_)] = byte;
-  const auto step = [](int& at, int begin, int end) {
-    if (++at <= end) return false;
-    at = begin;
-    return true;
-  };
-  switch (addressing_) {
-    case Addressing::page:
-      ++column_;
-      break;
-    case Addressing::horizontal:
-      if (step(column_, column_begin_, column_end_)) step(page_, page_begin_, page_end_);
-      break;
-    case Addressing::vertical:
-      if (step(page_, page_begin_, page_end_)) step(column_, column_begin_, column_end_);
-      break;
+  memory_[static_cast<std::size_t>(window_.row.at * columns + window_.column.at)] = byte;
+  if (addressing_ == Addressing::page) {
+    ++window_.column.at;
+  } else {
+    window_.next(addressing_ == Addressing::vertical);
   }
 }
 

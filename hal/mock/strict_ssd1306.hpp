@@ -5,6 +5,7 @@
 // Besides what every strict controller reports: running over the end of a page in page addressing mode.
 #pragma once
 
+#include <hal/mock/address_window.hpp>
 #include <hal/mock/strict_controller.hpp>
 
 namespace hal::mock {
@@ -39,9 +40,7 @@ class StrictSsd1306 final : public StrictController {
   int memory_columns_;
   std::vector<std::uint8_t> memory_;
   Addressing addressing_ = Addressing::page;
-  int column_ = 0;
-  int page_ = 0;
-  int column_begin_ = 0, column_end_ = columns - 1, page_begin_ = 0, page_end_ = pages - 1;
+  AddressWindow window_{{0, columns - 1}, {0, pages - 1}};  // Its rows are pages.
   int start_line_ = 0;
   bool segments_reversed_ = false;
   bool rows_reversed_ = false;

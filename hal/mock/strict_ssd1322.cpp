@@ -6,13 +6,9 @@
 
 namespace hal::mock {
 
-StrictSsd1322::StrictSsd1322() : StrictController(0, Parameters::as_data) {
-  unsigned noise = 24680;
-  for (std::uint8_t& byte : memory_) {
-    noise = noise * 1103515245U + 12345U;
-    byte = static_cast<std::uint8_t>(noise >> 16U);
-  }
-}
+StrictSsd1322::StrictSsd1322()
+    : StrictGreyOled(0, Parameters::as_data,
+                     {width, height, columns, rows, 2, vertical_increment, 0xA6, 0xA4}, 24680) {}
 
 int StrictSsd1322::parameters(std::uint8_t command) const {
   switch (command) {
@@ -55,16 +51,6 @@ int StrictSsd1322::parameters(std::uint8_t command) const {
   }
 }
 
-void StrictSsd1322::set_range(std::uint8_t command, const std::vector<std::uint8_t>& given, int limit,
-                              int& begin, int& end) {
-  if (!in_range(command, given[0], 0, limit - 1) || !in_range(command, given[1], given[0], limit - 1)) return;
-  begin = given[0];
-  end = given[1];
-  column_ = column_begin_;
-  row_ = row_begin_;
-  byte_ = 0;
-}
-
 void StrictSsd1322::set_grey_table(const std::vector<std::uint8_t>& widths) {
   int last = -1;
   for (const std::uint8_t light : widths) {
@@ -89,17 +75,17 @@ void StrictSsd1322::execute(std::uint8_t command, const std::vector<std::uint8_t
   switch (command) {
     case 0x00:
       if (grey_table_.empty()) breach("a grey table is used that wasn't set");
-      grey_table_used_ = true;
+      grey_table_used_ = !grey_table_.empty();
       break;
     case 0x15:
-      set_range(command, given, columns, column_begin_, column_end_);
+      set_side(command, given, columns, window_.column);
       break;
     case 0x75:
-      set_range(command, given, rows, row_begin_, row_end_);
+      set_side(command, given, rows, window_.row);
       break;
     case 0x5C:
       writing_ = true;
-      left_ = 2 * (column_end_ - column_begin_ + 1) * (row_end_ - row_begin_ + 1);
+      left_ = window_bytes();
       break;
     case 0xA0:
       in_range(command, given[0] & 0xC8, 0, 0);
@@ -108,23 +94,9 @@ void StrictSsd1322::execute(std::uint8_t command, const std::vector<std::uint8_t
         breach("two rows at once, but they are split or more than 64");
       remap_ = given[0];
       break;
-    case 0xA1:
-      if (in_range(command, given[0], 0, rows - 1)) start_line_ = given[0];
-      break;
-    case 0xA2:
-      in_range(command, given[0], 0, rows - 1);
-      break;
-    case 0xA4:
-    case 0xA5:
-    case 0xA6:
-    case 0xA7:
-      mode_ = command;
-      break;
-    case 0xAE:
     case 0xAF:
-      on_ = command == 0xAF;
-      if (on_ && rows_driven_ != height)
-        breach("the display is on, but not all rows of the glass are driven");
+      if (rows_driven_ != height) breach("the display is on, but not all rows of the glass are driven");
+      StrictGreyOled::execute(command, given);
       break;
     case 0xB1:  // Phases of at least 5 and 3 clocks.
       in_range(command, given[0] & 15, 2, 15);
@@ -152,6 +124,7 @@ void StrictSsd1322::execute(std::uint8_t command, const std::vector<std::uint8_t
       if (in_range(command, given[0], 15, rows - 1)) rows_driven_ = given[0] + 1;
       break;
     default:
+      StrictGreyOled::execute(command, given);
       break;
   }
 }
@@ -160,19 +133,6 @@ void StrictSsd1322::end_write() {
   if (!take_fault() && writing_ && left_ != 0)
     breach("a window is left with " + std::to_string(left_) + " bytes missing");
   writing_ = false;
-}
-
-void StrictSsd1322::next_column() {
-  const auto step = [](int& at, int begin, int end) {
-    if (++at <= end) return false;
-    at = begin;
-    return true;
-  };
-  if ((remap_ & vertical_increment) != 0) {
-    if (step(row_, row_begin_, row_end_)) step(column_, column_begin_, column_end_);
-  } else {
-    if (step(column_, column_begin_, column_end_)) step(row_, row_begin_, row_end_);
-  }
 }
 
 void StrictSsd1322::store(std::uint8_t byte) {
@@ -185,36 +145,14 @@ void StrictSsd1322::store(std::uint8_t byte) {
     return;
   }
   --left_;
-  memory_[static_cast<std::size_t>(row_ * row_bytes + 2 * column_ + byte_)] = byte;
-  byte_ ^= 1;
-  if (byte_ == 0) next_column();
+  put(byte);
 }
 
-Pattern StrictSsd1322::memory() const {
-  Pattern picture = Pattern::blank(width, height);
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) {
-      // The glass is mounted for row remapping; without it the picture stands on its head.
-      const int line = ((remap_ & remap_row) != 0 ? y : height - 1 - y) + start_line_;
-      int segment = 4 * first_column + x;
-      if ((remap_ & remap_column) != 0) segment = 4 * columns - 1 - segment;
-      // The four nibbles of a column run from the first byte's high one with nibble remap, else backwards.
-      const int nibble = (remap_ & remap_nibble) != 0 ? segment % 4 : 3 - segment % 4;
-      const auto place = static_cast<std::size_t>(line % rows * row_bytes + segment / 4 * 2 + nibble / 2);
-      picture.at(x, y) = nibble % 2 == 0 ? memory_[place] >> 4U : memory_[place] & 15U;
-    }
-  return picture;
-}
-
-Pattern StrictSsd1322::displayed() const {
-  Pattern picture = Pattern::blank(width, height);
-  if (!on_ || mode_ == 0xA4) return picture;
-  picture = memory();
-  for (int& pixel : picture.pixels) {
-    if (mode_ == 0xA5) pixel = 15;
-    if (mode_ == 0xA7) pixel = 15 - pixel;
-  }
-  return picture;
+int StrictSsd1322::nibble_of(int x) const {
+  int segment = 4 * first_column + x;
+  if ((remap_ & remap_column) != 0) segment = 4 * columns - 1 - segment;
+  // The four nibbles of a column run from the first byte's high one with nibble remap, else backwards.
+  return (remap_ & remap_nibble) != 0 ? segment : segment / 4 * 4 + 3 - segment % 4;
 }
 
 int StrictSsd1322::pulse_width(int grey) const {

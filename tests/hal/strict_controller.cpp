@@ -279,6 +279,8 @@ TEST(StrictSsd1322, WhatItReports) {
   EXPECT_NONFATAL_FAILURE(tell(0xA2, {0}), "1 bytes missing");
   tell(0x5C, {1, 2});
   EXPECT_NONFATAL_FAILURE(send(chip, true, {3}), "more data than the window has");
+  EXPECT_NONFATAL_FAILURE(tell(0x00, {}), "a grey table is used that wasn't set");
+  EXPECT_EQ(chip.pulse_width(15), 112) << "that of power-on";
   EXPECT_NONFATAL_FAILURE(tell(0xB8, {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 14}),
                           "not in 15 .. 180");
   EXPECT_NONFATAL_FAILURE(tell(0xA0, {0x34, 0x11}), "two rows at once");

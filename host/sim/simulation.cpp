@@ -166,6 +166,7 @@ class Simulation {
     if (!notice.empty()) fmt::print(stderr, "{}: {}", options_.panel, notice);
     vblanks_.emplace(panel_, clock_);
     chaser_.emplace(clock_, *vblanks_, timing);
+    if (timeline_) timeline_->chase(*chaser_);
   }
 
   bool on_frame(std::uint32_t frame, std::uint32_t digest) {

@@ -98,7 +98,8 @@ void Timeline::on_dropped(std::uint32_t frame, hal::Nanoseconds time) {
 void Timeline::on_transfer(const hal::sim::Transfer& transfer) {
   if (frames_.empty()) return;
   FrameRecord& frame = frames_.back();
-  if (frame.transfers.empty()) appear(frame, transfer.vblank, transfer.begin);
+  if (frame.transfers.empty())
+    appear(frame, chaser_ != nullptr ? chaser_->aimed_at() : transfer.vblank, transfer.begin);
   frame.transfers.push_back({transfer.begin, transfer.end});
   frame.bytes += transfer.bytes;
 }

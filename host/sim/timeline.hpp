@@ -10,6 +10,7 @@
 
 #include <hal/sim/panel.hpp>
 #include <hal/sim/tearing.hpp>
+#include <intaglio/present/beam_chaser.hpp>
 #include <intaglio/present/pacer.hpp>
 
 #include <algorithm>
@@ -57,6 +58,8 @@ class Timeline final : private hal::sim::Observer {
   Timeline(const Timeline&) = delete;
   Timeline& operator=(const Timeline&) = delete;
 
+  /// Frames are sent behind the beam: they appear in the refresh that they are aimed at.
+  void chase(const intaglio::present::BeamChaser& chaser) { chaser_ = &chaser; }
   /// Drawing of a frame, or of a band of it, begins or ends now.
   void draw_begins(std::uint32_t frame);
   void draw_ends();
@@ -100,6 +103,7 @@ class Timeline final : private hal::sim::Observer {
 
   hal::sim::Panel* panel_;
   hal::Clock* clock_;
+  const intaglio::present::BeamChaser* chaser_ = nullptr;
   int interval_;
   std::vector<FrameRecord> frames_;
   std::vector<std::uint32_t> requested_;  // Frames, by the panel's number less 1.
@@ -110,7 +114,7 @@ class Timeline final : private hal::sim::Observer {
   hal::Nanoseconds beginning_ = 0;  // When the frame before appeared, or was due if it was dropped as late.
   std::uint32_t vblanks_ = 0;
   hal::Nanoseconds vblank_time_ = 0;  // Of the latest.
-  std::uint32_t late_drops_ = 0;  // Since a frame appeared.
+  std::uint32_t late_drops_ = 0;      // Since a frame appeared.
 };
 
 }  // namespace host

@@ -60,7 +60,7 @@ class TransferPanel final : public Panel {
     capabilities_.vblank_signal = true;
   }
 
-  /// The handler of the VBLANK (or of the tearing-effect line).
+  /// The handler of the VBLANK (or of the tearing-effect line). Takes 3 * `most_colours` bytes of stack.
   void on_vblank() noexcept {
     requests_.on_vblank([this](int index, std::size_t count, const auto& colour) noexcept {
       sent_ = std::max(count, owed_);

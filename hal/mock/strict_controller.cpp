@@ -160,6 +160,7 @@ Status StrictController::I2c::do_write(std::uint8_t address, std::span<const std
       if (whole) c.breach("byte " + hex(control) + " is no control byte, or nothing follows it");
       break;
     }
+    if (whole && i == all.size()) c.breach("control byte " + hex(control) + " has nothing behind it");
     // Without continuation bit the rest of the transaction is of this kind.
     while (i < all.size()) c.take(control == control_data, all[i++]);
   }

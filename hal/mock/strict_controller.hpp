@@ -6,7 +6,7 @@
 // - bytes sent before the data/command line was ever driven, or a change of it inside a command;
 // - a command while the last waits for its parameters, or data that no command asked for;
 // - unknown commands and parameters out of range;
-// - over I2C: another address, no or unknown control byte.
+// - over I2C: another address, no or unknown control byte, or nothing behind it.
 //
 // Rule: a model follows the data sheet, not a driver; it shares no code with the drivers it tests. What a
 // fault of the bus has torn is no breach of the driver's: what is left of a command after it is forgotten

@@ -165,6 +165,7 @@ void StrictDcs::execute(std::uint8_t command, const std::vector<std::uint8_t>& g
       brightness_ = given[0];
       break;
     case 0x53:
+      if ((given[0] & 0xD3U) != 0) breach("the control of the brightness has bits 2, 3 and 5 alone");
       brightness_controlled_ = (given[0] & 0x24U) == 0x24U;
       break;
     default:

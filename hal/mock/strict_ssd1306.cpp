@@ -67,10 +67,19 @@ void StrictSsd1306::execute(std::uint8_t command, const std::vector<std::uint8_t
   } else if (command == 0x22) {
     if (in_range(command, given[0], 0, pages - 1) && in_range(command, given[1], given[0], pages - 1))
       window_.row = {given[0], given[1], given[0]};
+  } else if (command == 0x81) {
+    contrast_ = given[0];
+  } else if (command == 0x8D) {
+    if ((given[0] & 0xFBU) != 0x10) breach("the charge pump has one bit, beside one that is always set");
   } else if (command == 0xA8) {
     in_range(command, given[0], 15, 63);
   } else if (command == 0xD3) {
     in_range(command, given[0], 0, 63);
+  } else if (command == 0xD9) {  // Two phases of at least a clock.
+    in_range(command, given[0] & 15, 1, 15);
+    in_range(command, given[0] >> 4, 1, 15);
+  } else if (command == 0xDA) {
+    if ((given[0] & 0xCFU) != 0x02) breach("the row pins have two bits, beside one that is always set");
   } else if (command == 0xA0 || command == 0xA1) {
     segments_reversed_ = command == 0xA1;
   } else if (command == 0xA4 || command == 0xA5) {

@@ -22,6 +22,7 @@ class StrictSsd1306 final : public StrictController {
   [[nodiscard]] Pattern displayed() const override;
   [[nodiscard]] int beam_row(int step) const override { return rows_reversed_ ? step : height_ - 1 - step; }
   [[nodiscard]] bool on() const { return on_; }
+  [[nodiscard]] int contrast() const { return contrast_; }
 
  private:
   static constexpr int columns = 132;  // Of the largest relative.
@@ -47,6 +48,7 @@ class StrictSsd1306 final : public StrictController {
   bool inverse_ = false;
   bool all_on_ = false;
   bool on_ = false;
+  int contrast_ = 128;
 };
 
 }  // namespace hal::mock

@@ -7,7 +7,7 @@ namespace {
 
 constexpr int chunk = 64;
 
-/// Column `x` of the picture as bytes of the memory.
+/// Column `x` of the picture as bytes of the memory, two rows each.
 Status send_column(CommandPort& port, int x, int height, std::span<const std::uint8_t> pixels,
                    std::size_t step) noexcept {
   const auto byte = static_cast<std::size_t>(x / 2);
@@ -19,8 +19,7 @@ Status send_column(CommandPort& port, int x, int height, std::span<const std::ui
     std::array<std::uint8_t, chunk> bytes{};
     std::size_t count = 0;
     for (int pair = y; pair < height && count < bytes.size(); pair += 2)
-      bytes[count++] =
-          static_cast<std::uint8_t>(grey(pair) << 4U | (pair + 1 < height ? grey(pair + 1) : 0U));
+      bytes[count++] = static_cast<std::uint8_t>(grey(pair) << 4U | grey(pair + 1));
     if (const Status s = port.data(std::span(bytes).first(count)); !s.ok()) return s;
   }
   return {};

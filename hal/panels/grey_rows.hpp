@@ -37,8 +37,8 @@ inline constexpr auto sixteen_greys = [] {
           .refresh_millihertz = refresh_millihertz};
 }
 
-/// Sends `width` x `height` pixels of the picture as data, in the order of the memory's rows; turned: as the
-/// memory's columns. Whoever calls has set the window.
+/// Sends `width` x `height` pixels of the picture as data, in the order of the memory's rows, an even number
+/// each; turned: as the memory's columns. Whoever calls has set the window.
 Status send_greys(CommandPort& port, int width, int height, std::span<const std::uint8_t> pixels, int stride,
                   bool turned) noexcept;
 

@@ -105,6 +105,76 @@ TEST(Modules, EveryNameMakesADriverThatShowsPictures) {
   EXPECT_EQ(hal::panels::find_module(""), nullptr);
 }
 
+/// Makes the module of this name on a model and starts it.
+template <class Model>
+hal::panels::BusPanel& started(ModuleStorage& storage, std::string_view name, Model& model,
+                               hal::panels::SpiPort& port, hal::Clock& clock,
+                               const hal::panels::ModuleOptions& options) {
+  hal::panels::BusPanel& panel =
+      hal::panels::find_module(name)->make(storage, {.port = &port, .clock = &clock, .options = options});
+  EXPECT_TRUE(panel.start().ok()) << name;
+  EXPECT_TRUE(model.on());
+  return panel;
+}
+
+TEST(Modules, WhatIsAskedForReachesTheController) {
+  using namespace hal::mock;
+  ModuleStorage storage;
+  const auto ask = [&]<class Model>(std::string_view name, Model& model, hal::Clock& clock,
+                                    const hal::panels::ModuleOptions& options) {
+    hal::panels::SpiPort port(model.spi(), model.data_command());
+    started(storage, name, model, port, clock, options);
+  };
+  hal::panels::ModuleOptions options{.negative = true, .contrast = std::uint8_t{77}};
+  hal::sim::VirtualClock clock;
+  StrictSsd1322 greys;
+  ask("ssd1322", greys, clock, options);
+  EXPECT_EQ(greys.displayed().at(0, 0), 15) << "the negative of black";
+  EXPECT_EQ(greys.contrast(), 77);
+  StrictSsd0323 few_greys;
+  ask("ssd0323", few_greys, clock, options);
+  EXPECT_EQ(few_greys.displayed().at(0, 0), 15);
+  StrictSsd1306 mono(128, 64);
+  ask("ssd1306", mono, clock, options);
+  EXPECT_EQ(mono.displayed().at(0, 0), 1);
+  EXPECT_EQ(mono.contrast(), 77);
+  options.te = hal::panels::TearingEffect::vblank;
+  options.te_line = 5;
+  StrictSt7789 tft(clock);
+  ask("st7789", tft, clock, options);
+  EXPECT_EQ(tft.displayed().at(0, 0), 0xFFFF);
+  EXPECT_EQ(tft.brightness(), 77);
+  EXPECT_EQ(tft.tearing(), StrictDcs::Tearing::vblank);
+  EXPECT_EQ(tft.tearing_line(), 5);
+}
+
+TEST(Modules, AnyGlassIsHitInAllRotations) {
+  // Beyond the offset of the module, 52 and 40.
+  const hal::mock::DcsGlass mounted{.width = 20,
+                                    .height = 30,
+                                    .column_offset = 59,
+                                    .row_offset = 49,
+                                    .mirrored = true,
+                                    .bgr = true,
+                                    .inverted = true};
+  const hal::panels::ModuleGlass glass{
+      .width = 20, .height = 30, .column_offset = 7, .row_offset = 9, .mirrored = true, .bgr = true};
+  std::vector<std::uint8_t> blues(768);
+  for (std::size_t i = 0; i < 256; ++i)
+    blues[3 * i + 2] = static_cast<std::uint8_t>((i % 32 * 255 + 15) / 31);
+  ModuleStorage storage;
+  for (const Rotation rotation : glass::rotations) {
+    hal::sim::VirtualClock clock;
+    hal::mock::StrictSt7789 model(clock, mounted);
+    hal::panels::SpiPort port(model.spi(), model.data_command());
+    hal::panels::BusPanel& panel =
+        started(storage, "st7789-135x240", model, port, clock, {.rotation = rotation, .glass = glass});
+    ASSERT_TRUE(panel.load_palette(blues).ok());
+    glass::random_writes_show(panel, model, rotation, 70'001, 20,
+                              [](int index, int, int) { return index % 32; });
+  }
+}
+
 TEST(Modules, GlassThatLiesBesideTheMemoryIsRefused) {
   ModuleStorage storage;
   for (const int offset : {-1, -52, 320, INT32_MIN, INT32_MAX})

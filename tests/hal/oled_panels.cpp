@@ -130,6 +130,12 @@ TEST(OledPanels, NegativeContrastAndSleepReachTheController) {
   Ssd1306 mono_panel(mono_port, hal::panels::ssd1306_128x64, nullptr, {.negative = true});
   ASSERT_TRUE(mono_panel.start().ok());
   EXPECT_EQ(mono.displayed().at(5, 5), 1);
+  EXPECT_EQ(mono.contrast(), 0xCF) << "the module's own";
+  ASSERT_TRUE(mono_panel.set_contrast(1).ok());
+  EXPECT_EQ(mono.contrast(), 1);
+  Ssd1306 dim(mono_port, hal::panels::ssd1306_128x64, nullptr, {.contrast = 22});
+  ASSERT_TRUE(dim.start().ok());
+  EXPECT_EQ(mono.contrast(), 22);
 }
 
 TEST(Ssd1322, OfMoreThan64RowsDrivesEachRowAlone) {
@@ -196,6 +202,30 @@ TEST(OledPanels, OptionsThatCannotBeAreRefusedAndNothingIsSent) {
     EXPECT_EQ(panel.start(), hal::Status(hal::Error::invalid, hal::Part::panel));
   }
   EXPECT_EQ(grey.transfers() + mono.transfers(), 0);
+}
+
+TEST(OledPanels, OptionsAtTheirLimitsAreTaken) {
+  const std::array<hal::panels::Ssd1322Options, 4> grey{
+      {{.width = 4}, {.width = 480, .column_offset = 0}, {.height = 128}, {.height = 16}}};
+  for (const auto& options : grey) {
+    StrictSsd1322 model;
+    model.on_breach([](std::string_view) {});  // Its glass has another size.
+    SpiPort port(model.spi(), model.data_command());
+    Ssd1322 panel(port, nullptr, nullptr, options);
+    EXPECT_TRUE(panel.start().ok());
+    EXPECT_EQ(panel.capabilities().width, options.width);
+    EXPECT_EQ(panel.capabilities().height, options.height);
+  }
+  StrictSsd0323 model;
+  SpiPort port(model.spi(), model.data_command());
+  EXPECT_TRUE(Ssd0323(port, nullptr, {.contrast = 127, .offset = 79}).start().ok());
+  StrictSsd1306 mono(132, 64, 0, 0x3C, 132);
+  SpiPort mono_port(mono.spi(), mono.data_command());
+  Ssd1306Module widest = hal::panels::sh1106_128x64;
+  widest.width = 132;
+  widest.column_offset = 0;
+  Ssd1306 panel(mono_port, widest);
+  shows_every_pixel(panel, mono, Rotation::by_0, 60'004, 20);
 }
 
 /// Any colours.

@@ -85,6 +85,7 @@ TEST(StrictController, WrongAddressOrControlByteOnI2c) {
   EXPECT_NONFATAL_FAILURE(chip.i2c().write(0x3D, prefix, byte).ignore(),
                           "nothing answers at I2C address 0x3D");
   EXPECT_NONFATAL_FAILURE(chip.i2c().write(0x3C, wrong, byte).ignore(), "0x41 is no control byte");
+  EXPECT_NONFATAL_FAILURE(chip.i2c().write(0x3C, prefix, {}).ignore(), "nothing behind it");
 }
 
 TEST(StrictSsd0323, NibblesColumnsAndRowsAreRemappedAsTheDataSheetSays) {
@@ -185,6 +186,7 @@ TEST(StrictDcs, TearingEffectAndBackLightFollowTheirSwitches) {
   EXPECT_EQ(tft.chip.brightness(), 0) << "nobody asked for the control of the back light";
   tft.tell(0x53, {0x24});
   EXPECT_EQ(tft.chip.brightness(), 99);
+  EXPECT_NONFATAL_FAILURE(tft.tell(0x53, {0x25}), "bits 2, 3 and 5 alone");
 }
 
 TEST(StrictDcs, CommandsWithoutTheirParametersAndDataWithoutACommand) {

@@ -227,6 +227,31 @@ TEST(DcsPanel, SleepKeepsThePictureAndStopBlanksIt) {
   EXPECT_TRUE(bench.model.on());
 }
 
+TEST(DcsPanel, StopTriesBothStepsAndAnswersTheFirstError) {
+  struct FailsOnce final : hal::SpiBus {
+    explicit FailsOnce(hal::SpiBus& bus) : whole(&bus) {}
+    hal::SpiBus* whole;
+    int good = -1;
+    hal::Status do_write(std::span<const std::uint8_t> bytes) noexcept override {
+      return good-- == 0 ? hal::Status(hal::Error::timeout, hal::Part::bus) : whole->write(bytes);
+    }
+  };
+  for (const int step : {0, 1}) {
+    Bench bench;
+    FailsOnce wire(bench.model.spi());
+    SpiPort port(wire, bench.model.data_command());
+    St7789 panel(port, bench.clock, nullptr, bench.options);
+    ASSERT_TRUE(panel.start().ok());
+    wire.good = step;
+    EXPECT_EQ(panel.stop(), hal::Status(hal::Error::timeout, hal::Part::bus));
+    EXPECT_EQ(bench.model.asleep(), step == 0);
+    EXPECT_FALSE(bench.model.on()) << "blank, or at least asleep";
+    ASSERT_TRUE(panel.stop().ok());
+    ASSERT_TRUE(panel.sleep(false).ok());
+    EXPECT_FALSE(bench.model.on()) << "awake, but blank";
+  }
+}
+
 TEST(DcsPanel, ColoursAreThoseLoadedWhenPixelsWereWritten) {
   Bench bench;
   St7789 panel(bench.port, bench.clock, nullptr, bench.options);
@@ -308,6 +333,16 @@ TEST(DcsPanel, OptionsThatCannotBeAreRefusedAndNothingIsSent) {
     EXPECT_EQ(panel.start(), hal::Status(hal::Error::invalid, hal::Part::panel));
     EXPECT_EQ(model.transfers(), 0);
   }
+}
+
+TEST(DcsPanel, OptionsAtTheirLimitsAreTaken) {
+  shows_every_pixel<St7789, StrictSt7789>({.width = 1, .height = 1, .column_offset = 239, .row_offset = 319},
+                                          {.width = 1, .height = 1, .column_offset = 239, .row_offset = 319},
+                                          50'007, 4);
+  Bench bench({.te = TearingEffect::vblank, .te_line = 319});
+  St7789 panel(bench.port, bench.clock, nullptr, bench.options);
+  ASSERT_TRUE(panel.start().ok());
+  EXPECT_EQ(bench.model.tearing_line(), 319);
 }
 
 TEST(DcsPanel, BadRectanglesSendNothing) {

@@ -26,6 +26,7 @@ constinit hal::baremetal::SysTick tick{chip::core_hertz, chip::core_hertz / 1000
 }  // namespace
 
 extern "C" void handle_systick() { tick.on_interrupt(); }
+
 namespace {
 
 hal::baremetal::MemoryGuard guard_of_frame() noexcept {

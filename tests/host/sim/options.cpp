@@ -93,8 +93,8 @@ TEST(SimOptions, WhatIsForSimulatedPanelsIsRefusedOnRealOnes) {
   for (const char* const option : {"--window", "--terminal", "--png=a", "--apng=a", "--effects=te",
                                    "--trace=a", "--explain", "--buffers=2", "--order=every"})
     EXPECT_TRUE(std::holds_alternative<int>(parse({"gauges", "--panel", "fb:/dev/fb0", option}))) << option;
-  for (const char* const option : {"--report=a", "--beam=left", "--rotate=45",
-                                   "--address=0x80", "--spi-mode=4", "--contrast=256"})
+  for (const char* const option :
+       {"--report=a", "--beam=left", "--rotate=45", "--address=0x80", "--spi-mode=4", "--contrast=256"})
     EXPECT_TRUE(std::holds_alternative<int>(parse({"gauges", option}))) << option;
 }
 

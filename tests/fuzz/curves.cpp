@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Circles, ellipses, rings, round rectangles, and arcs, pies and chords of both.
+// Circles, ellipses, rings, round rectangles, and arcs, pies and chords of them.
 #include <intaglio/raster/arc.hpp>
 #include <intaglio/raster/chord.hpp>
 #include <intaglio/raster/circle.hpp>
@@ -8,6 +8,7 @@
 #include <intaglio/raster/ellipse.hpp>
 #include <intaglio/raster/ellipse_arc.hpp>
 #include <intaglio/raster/ring.hpp>
+#include <intaglio/raster/ring_arc.hpp>
 #include <intaglio/raster/round_rect.hpp>
 #include <tests/fuzz/scene.hpp>
 #include <tests/oracle/circle.hpp>
@@ -132,6 +133,14 @@ void circle_arcs(Input& in, const Scene& scene) {
   swept(in, scene, chord, disc, radius);
 }
 
+void ring_arcs(Input& in, const Scene& scene) {
+  const int inner = in.length();
+  const int outer = in.length();
+  const auto arc = [](auto& sink, auto... arguments) { return fill_ring_arc(sink, arguments...); };
+  const auto whole = [](auto& sink, auto... arguments) { return fill_ring(sink, arguments...); };
+  swept(in, scene, arc, whole, inner, outer);
+}
+
 void ellipse_arcs(Input& in, const Scene& scene) {
   const int what = in.choice(3);
   const int rx = in.length();
@@ -187,6 +196,8 @@ void run(Input in) {
       return round_rect(in, scene);
     case 5:
       return circle_arcs(in, scene);
+    case 6:
+      return ring_arcs(in, scene);
     default:
       return ellipse_arcs(in, scene);
   }

@@ -21,6 +21,7 @@
 #include <intaglio/raster/polyline.hpp>
 #include <intaglio/raster/rectangle.hpp>
 #include <intaglio/raster/ring.hpp>
+#include <intaglio/raster/ring_arc.hpp>
 #include <intaglio/raster/round_rect.hpp>
 #include <intaglio/raster/thick_line.hpp>
 #include <intaglio/raster/thick_line_rungs.hpp>
@@ -162,6 +163,11 @@ const auto& every_primitive() {
       NamedPrimitive<S>{"ring",
                         [](S& s, const Figure& f) {
                           return fill_ring(s, f.centre, std::min(f.radius, f.other_radius), f.radius);
+                        }},
+      NamedPrimitive<S>{"arc of a ring",
+                        [](S& s, const Figure& f) {
+                          return fill_ring_arc(s, f.centre, std::min(f.radius, f.other_radius), f.radius,
+                                               f.start, f.sweep);
                         }},
       NamedPrimitive<S>{"arc",
                         [](S& s, const Figure& f) {

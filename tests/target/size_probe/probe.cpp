@@ -30,6 +30,7 @@
 #include <intaglio/raster/polyline.hpp>
 #include <intaglio/raster/rectangle.hpp>
 #include <intaglio/raster/ring.hpp>
+#include <intaglio/raster/ring_arc.hpp>
 #include <intaglio/raster/round_rect.hpp>
 #include <intaglio/raster/solid.hpp>
 #include <intaglio/raster/thick_line.hpp>
@@ -102,6 +103,9 @@ Status fill_ellipse(const Pen& pen, linear::Point c, int a, int b) {
 }
 Status fill_ring(const Pen& pen, linear::Point c, int inner, int outer) {
   return raster::fill_ring(pen, c, inner, outer);
+}
+Status fill_ring_arc(const Pen& pen, linear::Point c, int inner, int outer, number::Angle start, int sweep) {
+  return raster::fill_ring_arc(pen, c, inner, outer, start, sweep);
 }
 Status draw_arc(const Pen& pen, linear::Point c, int r, number::Angle start, int sweep) {
   return raster::draw_arc(pen, c, r, start, sweep);

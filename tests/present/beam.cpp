@@ -318,6 +318,54 @@ TEST(BeamChaser, CountsATearThatASlowBusMakes) {
   EXPECT_EQ(chaser.torn(), 1U);
 }
 
+TEST(BeamChaser, CountsATearInTheLastBandAlone) {
+  const BeamTiming timing = timing_of(ScanDirection::down, 3'500);
+  VirtualClock clock;
+  SlowPanel panel(clock, width, height, ScanDirection::down, timing);
+  BeamChaser chaser(clock, panel, timing);
+  std::vector<std::uint8_t> memory(std::size_t{width} * height);
+  FrameWriter<Indexed8> writer(panel, memory, chaser);
+  ASSERT_TRUE(writer.present(writer.begin().value()).ok());
+  const std::array<intaglio::linear::Rect, 1> corner{intaglio::linear::Rect{width - 1, height - 1, 1, 1}};
+  ASSERT_TRUE(writer.present(writer.begin().value(), {}, corner).ok());
+  EXPECT_EQ(chaser.torn(), 0U);
+  panel.extra_per_write = timing.refresh;
+  ASSERT_TRUE(writer.present(writer.begin().value(), {}, corner).ok());
+  EXPECT_EQ(chaser.torn(), 1U);
+}
+
+TEST(BeamChaser, CountsEveryTearOfABusThatIsSlowerThanWasSaid) {
+  constexpr unsigned seed = 50'004;
+  SCOPED_TRACE(seed);
+  std::mt19937 random(seed);
+  int whole = 0;
+  int torn = 0;
+  for (int round = 0; round < oracle::samples(400, 20'000); ++round) {
+    const auto scan = static_cast<ScanDirection>(random() % 4U);
+    const bool sideways = scan == ScanDirection::left || scan == ScanDirection::right;
+    const BeamTiming said = timing_of(scan, 500U + random() % 2'000U);
+    BeamTiming true_timing = said;
+    true_timing.bus_line += random() % 2'000U;
+    const int band = 1 + static_cast<int>(random() % 6U);
+    VirtualClock clock;
+    SlowPanel panel(clock, width, height, scan, true_timing);
+    BeamChaser chaser(clock, panel, said);
+    std::vector<std::uint8_t> memory(static_cast<std::size_t>(band * (sideways ? height : width)));
+    BandWriter<Indexed8> writer(panel, memory, chaser);
+    ASSERT_TRUE(writer.status().ok());
+    for (std::uint32_t n = 1; n <= 2; ++n)
+      ASSERT_TRUE(writer.present(drawing(n, clock, random() % 10U == 0 ? random() % 20'000U : 0U)).ok());
+    clock.advance(2U * said.refresh);
+    if (panel.torn > 0) {
+      ASSERT_GT(chaser.torn(), 0U) << "said " << said.bus_line << ", is " << true_timing.bus_line << " band "
+                                   << band << " direction " << static_cast<int>(scan);
+    }
+    ++(panel.torn > 0 ? torn : whole);
+  }
+  EXPECT_GT(whole, 50);
+  EXPECT_GT(torn, 50);
+}
+
 TEST(BeamChaser, GoesOnWhenSignalsDropOut) {
   const BeamTiming timing = timing_of(ScanDirection::down, 2'000);
   VirtualClock clock;
@@ -375,9 +423,26 @@ TEST(BeamChaser, CountsOfSignalsWrap) {
   EXPECT_EQ(chase.signals.waits, 0) << "0 isn't that none has come";
 }
 
+TEST(BeamChaser, AimsAtTheFirstRefreshWhoseWindowIsStillOpen) {
+  Chase chase;
+  const std::int64_t latest = picture_window(chase.timing, {height, height, height}, Travel::along).latest +
+                              2 * static_cast<std::int64_t>(chase.timing.refresh);
+  hal::Clock& clock = chase.clock;
+  const Nanoseconds told = chase.signals.at;
+  clock.wait_until(told + static_cast<Nanoseconds>(latest));
+  EXPECT_EQ(chase.aim(), 1U) << "two after 2^32 - 1";
+  clock.wait_until(told + static_cast<Nanoseconds>(latest) + 1U);
+  EXPECT_EQ(chase.aim(), 2U);
+  clock.wait_until(told + static_cast<Nanoseconds>(latest) + chase.timing.refresh);
+  EXPECT_EQ(chase.aim(), 2U);
+}
+
 TEST(BeamChaser, GoesOnWhenTheSourceLeaps) {
   Chase chase;
   const Nanoseconds told = chase.signals.at;
+  chase.clock.advance(1);
+  chase.signals.at = told + 1U;
+  EXPECT_EQ(chase.aim(), chase.first) << "a signal that bounces";
   for (const Nanoseconds leap : {Nanoseconds{0}, told - 1U, 1'000U * told}) {
     chase.signals.at = leap;
     EXPECT_EQ(chase.aim(), chase.first) << leap;
@@ -421,6 +486,32 @@ TEST(BeamChaser, DropsOrShowsLateFramesAndCounts) {
     const FrameCounts counts = writer.counts();
     EXPECT_EQ(counts.shown + counts.dropped, 50U);
     EXPECT_EQ(late == Late::show ? counts.late : counts.dropped, 4U) << "those after a pause";
+  }
+}
+
+TEST(BeamChaser, CountsWholeFramesAsBands) {
+  for (const Late late : {Late::show, Late::drop}) {
+    const BeamTiming timing = timing_of(ScanDirection::down, 2'000);
+    VirtualClock clock;
+    SlowPanel panel(clock, width, height, ScanDirection::down, timing);
+    BeamChaser chaser(clock, panel, timing);
+    std::vector<std::uint8_t> memory(std::size_t{width} * height);
+    FrameWriter<Indexed8> writer(panel, memory, chaser, Pace(2, late));
+    for (std::uint32_t n = 1; n <= 50; ++n) {
+      ASSERT_TRUE(writer.present(writer.begin().value()).ok());
+      if (n % 10U == 0) clock.advance(3U * timing.refresh);
+    }
+    const FrameCounts counts = writer.counts();
+    EXPECT_EQ(counts.shown + counts.dropped, 50U);
+    EXPECT_EQ(late == Late::show ? counts.late : counts.dropped, 4U) << "those after a pause";
+    EXPECT_EQ(counts.repeated, late == Late::show ? 4U : 8U);
+    // The one after the last pause may be dropped; no two are.
+    for (int i = 0; i < 2; ++i) ASSERT_TRUE(writer.present(writer.begin().value()).ok());
+    const FrameCounts before = writer.counts();
+    panel.writes_until_fault = 1;
+    EXPECT_EQ(writer.present(writer.begin().value()), Status(Error::device, Argument::panel));
+    EXPECT_EQ(writer.counts().shown, before.shown);
+    EXPECT_EQ(writer.counts().dropped, before.dropped + 1U);
   }
 }
 
@@ -480,6 +571,13 @@ TEST(BeamChaser, TimesThatCannotBeAreRefused) {
   bad = good;
   bad.scan_line = good.refresh / static_cast<Nanoseconds>(height) + 1U;
   EXPECT_EQ(status(bad), wrong);
+  BeamTiming most = good;
+  most.refresh = 1'000'000'000;
+  most.scan_line = 1;
+  EXPECT_FALSE(most.valid(0));
+  EXPECT_TRUE(most.valid(1));
+  EXPECT_TRUE(most.valid(1 << 20));
+  EXPECT_FALSE(most.valid((1 << 20) + 1));
 }
 
 }  // namespace

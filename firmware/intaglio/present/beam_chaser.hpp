@@ -46,7 +46,8 @@ class BeamChaser {
 
   /// The refresh that `aim` chose last.
   [[nodiscard]] std::uint32_t aimed_at() const noexcept { return aimed_at_; }
-  /// Pictures of which some refresh showed a part.
+  /// Pictures of which some refresh showed a part, because drawing or bus took longer than was said. (A bus
+  /// that is faster may overtake the beam, which isn't seen.)
   [[nodiscard]] std::uint32_t torn() const noexcept { return torn_; }
 
  private:

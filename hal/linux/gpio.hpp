@@ -81,7 +81,7 @@ class BitBangSpi final : public SpiBus {
 ///
 /// The kernel keeps `gpiod::queued_edges` edges for a program that comes late. If they were too few, the time
 /// between edges says how many were lost. A line that is silent for a quarter of a second (or four refreshes)
-/// is stood in for by a timer of the nominal rate, until it is heard again; `notice` says so.
+/// is stood in for by a timer of the nominal rate, until it is heard again; `take_notices` says so.
 class TeLine final : public VblankSource {
  public:
   /// `clock` counts as the kernel's timestamps do; `refresh_millihertz` >= 1. Throws DeviceError.

@@ -110,7 +110,7 @@ Status I2cDevice::do_write(std::uint8_t address, std::span<const std::uint8_t> p
         if (bytes.empty()) return {};
       } else if (way_ == Way::messages && too_long(error) && size > 1U && limit_ > least_message) {
         limit_ = std::max((prefix.size() + size) / 2U, prefix.size() + 1U);
-      } else if (error != EINTR) {
+      } else {
         // If the length wasn't to blame, nothing was learned.
         limit_ = limit_before;
         return fail(address, error);

@@ -325,12 +325,14 @@ std::uint32_t KmsPanel::do_vblank_count() noexcept {
 Status KmsPanel::do_wait_for_vblank() noexcept {
   if (const Status s = take_lost(); !s.ok()) return s;
   constexpr int longest = 1000;
+  // Drivers that know no VBLANK often flip at once.
+  if (!tells_vblanks())
+    if (const Status s = ticks_.wait(); !s.ok()) return s;
   if (flipping_) {
     const Status s = take_events(longest);
     return s.ok() ? take_lost() : s;
   }
-  if (!tells_vblanks()) return ticks_.wait();
-  if (query_vblank(true)) return {};
+  if (!tells_vblanks() || query_vblank(true)) return {};
   // The kernel's word for a VBLANK that doesn't come.
   return file_.note("waiting for the VBLANK failed", errno == EBUSY ? ETIMEDOUT : errno, Part::panel);
 }

@@ -8,6 +8,7 @@
 
 #include <hal/clock.hpp>
 
+#include <cerrno>
 #include <cstddef>
 #include <cstdint>
 #include <poll.h>
@@ -55,10 +56,12 @@ class File {
   }
   [[nodiscard]] int number() const { return number_; }
   [[nodiscard]] System& system() const { return *system_; }
-  /// `ioctl` with any structure.
+  /// `ioctl` with any structure, begun again after a signal.
   template <class T>
   int control(unsigned long request, T& argument) const {
-    return system_->ioctl(number_, request, &argument);
+    for (;;)
+      if (const int done = system_->ioctl(number_, request, &argument); done >= 0 || errno != EINTR)
+        return done;
   }
 
  private:

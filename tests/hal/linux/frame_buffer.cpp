@@ -83,6 +83,7 @@ class Device final : public System {
   }
   void unmap(void*, std::size_t) override { --maps; }
   int ioctl(int, unsigned long request, void* argument) override {
+    if (signals > 0 && signals-- > 0) return fail(EINTR);
     if (fault != 0) return fail(fault);
     if (request == failing) return fail(failure);
     switch (request) {
@@ -152,6 +153,7 @@ class Device final : public System {
   bool tells_vblanks = false;
   bool waits_for_vblank = true;
   int waits = 0;
+  int signals = 0;            ///< Requests that end early for one.
   int fault = 0;              ///< Of every request,
   unsigned long failing = 0;  ///< of this one.
   int failure = EIO;
@@ -280,6 +282,16 @@ TEST(FrameBuffer, VblanksAreTheDevicesWhereItTellsThem) {
   ASSERT_TRUE(panel.wait_for_vblank().ok());
   EXPECT_EQ(device.waits, waits + 1);
   EXPECT_GT(panel.vblank_count(), before);
+}
+
+TEST(FrameBuffer, SignalsAreNoFaults) {
+  Device device(8);
+  device.signals = 2;
+  FbPanel panel("/dev/fb0", {}, device);
+  show(panel, 1, 9);
+  device.signals = 5;
+  ASSERT_TRUE(panel.wait_for_vblank().ok());
+  EXPECT_EQ(panel.on_display(), 1);
 }
 
 TEST(FrameBuffer, ADriverThatDoesNotWaitIsWaitedForByTheClock) {

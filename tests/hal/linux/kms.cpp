@@ -281,6 +281,22 @@ TEST_F(Kms, ADriverThatTellsNoVblanksIsStoodInForByATimer) {
   EXPECT_GT(panel.vblank_count(), before);
 }
 
+TEST_F(Kms, ADriverThatFlipsAtOnceDoesNotLetTimeRunAway) {
+  card().tells_vblanks = false;
+  card().flips_at_once = true;
+  KmsPanel panel("/dev/dri/card0", {}, kernel_);
+  const std::uint32_t before = panel.vblank_count();
+  const hal::Nanoseconds began = kernel_.time.now();
+  for (int i = 0; i < 60; ++i) {
+    ASSERT_TRUE(panel.show(i % 2, {}).ok());
+    ASSERT_TRUE(panel.wait_for_vblank().ok());
+    ASSERT_FALSE(panel.show_pending());
+  }
+  EXPECT_EQ(panel.vblank_count() - before, 60U);
+  EXPECT_NEAR(static_cast<double>(kernel_.time.now() - began), 1e9, 1e3);
+  EXPECT_EQ(panel.flips(), 60U);
+}
+
 TEST_F(Kms, TheScreenIsGivenBackAsItWas) {
   for (const std::uint32_t before : {0U, 77U}) {
     card().shown_before = before;

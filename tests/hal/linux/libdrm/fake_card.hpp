@@ -27,8 +27,9 @@ struct Card {
   bool plugged_in = true;
   bool has_dumb_buffers = true;
   bool tells_vblanks = true;
-  bool flips_stick = false;  ///< They never happen.
-  std::uint32_t clock = 0;   ///< kHz of the mode, whose lines and columns count blanking, too.
+  bool flips_stick = false;    ///< They never happen.
+  bool flips_at_once = false;  ///< They don't wait for the VBLANK.
+  std::uint32_t clock = 0;     ///< kHz of the mode, whose lines and columns count blanking, too.
   std::uint16_t total_width = 0, total_height = 0;
   std::uint32_t mode_flags = 0;
   std::uint32_t refresh = 60;

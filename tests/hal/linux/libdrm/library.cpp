@@ -209,6 +209,7 @@ int drmModePageFlip(int, uint32_t, uint32_t frame, uint32_t flags, void* data) {
   if (flags != DRM_MODE_PAGE_FLIP_EVENT || !card().frame_buffers.contains(frame)) return fail(EINVAL);
   card().flip_to = frame;
   card().flip_data = data;
+  if (card().flips_at_once) card().vblank();
   return 0;
 }
 

@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <string>
+#include <utility>
 
 namespace {
 
@@ -52,7 +53,7 @@ std::string fault(Point centre, int inner, int outer, int start, int sweep, cons
 
 TEST(RingArc, SmallOnesAreExactForManyAnglesBothWays) {
   std::string first_fault;
-  for (int outer = 0; outer <= 12; outer += outer < 4 ? 1 : 4)
+  for (int outer = 0; outer <= 12; outer += outer < 4 ? 1 : 8)
     for (int inner = 0; inner <= outer; ++inner)
       for (int start = 0; start < 65536; start += 4096)
         for (int sweep = -66560; sweep <= 66560 && first_fault.empty(); sweep += 5120)
@@ -102,6 +103,28 @@ TEST(RingArc, AFullTurnOrMoreIsTheRingAndNoTurnIsNothing) {
   RecordingSink sink({-10, -10, 21, 21});
   EXPECT_TRUE(fill_ring_arc(sink, {0, 0}, 4, 9, Angle::from_steps(7), 0).ok());
   EXPECT_EQ(sink.spans(), 0);
+}
+
+// Sweeps of 310 degrees from 270 on and of a turn or more, 5 wide (embedded-graphics #427, #484); 330 to 390,
+// -30 to 30, 120 to 240 (TFT_eSPI #2487); four quarters (roo_display #12); as wide as the radius (LVGL 9830).
+TEST(RingArcHardCases, EmbeddedGraphics427TftEspi2487AndLvgl9830ThickArcs) {
+  for (const auto& [from, sweep] : {std::pair{270, 310},
+                                    {270, 360},
+                                    {330, 60},
+                                    {-30, 60},
+                                    {120, 120},
+                                    {360, 40},
+                                    {0, 180},
+                                    {0, 90},
+                                    {90, 90},
+                                    {180, 90},
+                                    {270, 90}})
+    for (const int r : {5, 17, 28, 139})
+      for (const int inner : {0, r - 4})
+        EXPECT_EQ(fault({0, 0}, inner, r, Angle::from_degrees(from).steps(), sweep * 8192 / 45,
+                        {-r - 1, -r - 1, 2 * r + 3, 2 * r + 3}),
+                  "")
+            << from;
 }
 
 TEST(RingArc, BadArgumentsAreNamedAndNothingIsDrawn) {

@@ -44,10 +44,10 @@ namespace detail {
 }  // namespace detail
 
 /// Hands the coverage of the line from `a` to `b` over, ends and width in 1/256 pixel. A width of 0 covers
-/// nothing. `workspace` is that of `fill_coverage` for four edges: `coverage_cells(4, width of the clip)`;
-/// with round ends for `smooth_line_vertices`. Errors: as `draw_thick_line`; workspace (too small: `needed()`
-/// cells). Cost: a square root and two divisions, then `fill_coverage` of four edges; with round ends 10 to
-/// 130 of them, and their sines.
+/// nothing; a line without length is a disc if its ends are round. `workspace` is that of `fill_coverage` for
+/// four edges: `coverage_cells(4, width of the clip)`; with round ends for `smooth_line_vertices`. Errors: as
+/// `draw_thick_line`; workspace (too small: `needed()` cells). Cost: a square root and two divisions, then
+/// `fill_coverage` of four edges; with round ends 10 to 130 of them, and their sines.
 template <CoverageSink S>
 Status draw_smooth_line(S&& sink, linear::SubPoint a, linear::SubPoint b, int width, Cap cap,
                         const std::span<CoverageCell>& workspace) {

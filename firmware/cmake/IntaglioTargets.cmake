@@ -27,6 +27,11 @@ endfunction()
 
 # intaglio_feature(NAME STATE WHY): a line of the configure summary. No semicolons: they part CMake's lists.
 function(intaglio_feature name state why)
+  if(state) # also the path of what was found
+    set(state ON)
+  else()
+    set(state OFF)
+  endif()
   set_property(GLOBAL APPEND PROPERTY intaglio_features "${name}: ${state} (${why})")
 endfunction()
 

@@ -26,6 +26,8 @@ std::string to_text(const Tear& tear, std::uint32_t first) {
   const bool backwards = tear.scan == ScanDirection::up || tear.scan == ScanDirection::left;
   std::string text = "refresh " + std::to_string(tear.refresh) + (columns ? ", column " : ", line ") +
                      std::to_string(tear.line) + ": ";
+  if (!tear.above && !tear.below)
+    return "refresh " + std::to_string(tear.refresh) + ": an unfinished picture";
   if (tear.kind == Tear::Kind::palette) return text + "the palette of " + part(tear.above) + " changed";
   return text + part(backwards ? tear.below : tear.above) + (columns ? " on the left, " : " above, ") +
          part(backwards ? tear.above : tear.below) + (columns ? " on the right" : " below");

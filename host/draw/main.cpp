@@ -59,6 +59,9 @@ void write_outputs(const Canvas& canvas, const Outputs& outputs) {
   if (!outputs.touched.empty()) files.emplace_back(outputs.touched, encode_pgm(size, canvas.touched()));
   for (const auto& [path, content] : files) host::write_file(path, content);
   std::string printed = canvas.printed();
+  const bool shown =
+      !files.empty() || !printed.empty() || outputs.ascii || outputs.digest || !outputs.panel.panel.empty();
+  if (!shown) std::fputs("Drawn, and shown nowhere: --png FILE, --ascii or --panel NAME show it.\n", stderr);
   if (outputs.ascii) printed += to_ascii(size, indices);
   if (outputs.digest) printed += fmt::format("frame 0 crc32 {:08x}\n", canvas.digest());
   if (std::fwrite(printed.data(), 1, printed.size(), stdout) != printed.size() || std::fflush(stdout) != 0)
@@ -88,6 +91,8 @@ int run(int argc, char** argv) {
   host::add_attach_options(app, outputs.panel);
   try {
     app.parse(argc, argv);
+    if (outputs.panel.panel.empty() && host::means_attached(outputs.panel))
+      throw CLI::RequiredError("--panel, which names the panel at these wires,");
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 1;
   }

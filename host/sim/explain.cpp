@@ -165,6 +165,10 @@ class Report {
     if (!tears.front()->above && !tears.front()->below)
       return fmt::format("no {} was of one frame alone", line);
     // Where bus and beam run abreast, lines of both frames alternate, and some are half sent.
+    if (!frame.transfers.empty() && tears.size() > 1 && tears.front()->above == tears.back()->below)
+      return fmt::format("{}, but for {}s {} to {}", side(tears.front()->above), line,
+                         std::min(tears.front()->line, tears.back()->line + 1),
+                         std::max(tears.front()->line, tears.back()->line - 1));
     if (!frame.transfers.empty() && tears.size() > 1)
       return fmt::format("{} up to {} {}, {} from {} on, both in between", side(tears.front()->above), line,
                          tears.front()->line, side(tears.back()->below), tears.back()->line);
@@ -205,7 +209,9 @@ class Report {
     std::string text =
         capital(made_of(frame)) + fmt::format(", a refresh takes {}. ", ms(panel_.frame_time()));
     if (bus.begin <= refresh.scan.begin) {
-      text += fmt::format("Sending began {} before the refresh; ", ms(refresh.scan.begin - bus.begin));
+      text += bus.begin == refresh.scan.begin
+                  ? "Sending began with the refresh; "
+                  : fmt::format("Sending began {} before the refresh; ", ms(refresh.scan.begin - bus.begin));
       return text + (bus.end <= refresh.scan.begin ? "it was over by then."
                      : abreast                     ? "the beam overtook the bus."
                                                    : "the beam crossed the bus.");

@@ -130,13 +130,11 @@ struct Effects {
   std::optional<PixelGrid> grid{};
 };
 
-/// What the effects are on a certain panel where a scenario names them without a value.
+/// What the effects are on a certain panel where a scenario names them without a value. Those that aren't
+/// here are the same on all panels.
 struct EffectTable {
   BusTiming bus{};
-  TeTiming te{};
-  RefreshDrift drift{};
   ColourDepth depth{};
-  PanelGamma gamma{};
   ResponseTime response{};
   PixelGrid grid{};
 };

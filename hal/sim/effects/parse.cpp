@@ -15,11 +15,11 @@ constexpr std::array<EffectHelp, effect_count> help{{
     {"latch", "=palette|none", "colours, or colours and buffer, change in the middle of a picture"},
     {"te", "[=RATE][+TIME][~TIME] or off",
      "the tearing-effect line: the panel's real rate, phase, jitter; or none"},
-    {"drift", "[=PPM[/PERIOD]]", "the refresh rate is off, or goes to and fro"},
+    {"drift", "[=PPM[/PERIOD]]", "the refresh rate is off (by 200 ppm), or goes to and fro"},
     {"scan", "=down|up|right|left", "the way the beam goes"},
     {"tearing", "", "pictures are what the beam fetched, torn where frames met"},
     {"depth", "[=BITS or 565]", "bits of a colour that reach the glass"},
-    {"gamma", "[=EXPONENT]", "the light that the panel makes of a level"},
+    {"gamma", "[=EXPONENT]", "the light that the panel makes of a level (2.2)"},
     {"response", "[=TIME[/TIME]]", "10 to 90 % rise and fall of a pixel's light: ghosting"},
     {"dead", "=X:Y[:RRGGBB]", "a pixel that shows one colour; name it as often as you like"},
     {"grid", "[=SCALE[:rgb|bgr|none]]", "the viewer's picture enlarged, with sub-pixel stripes"},
@@ -37,11 +37,6 @@ std::string as_rate(std::uint64_t hertz) {
   if (hertz % 1'000'000U == 0) return std::to_string(hertz / 1'000'000U) + " MHz";
   if (hertz % 1000U == 0) return std::to_string(hertz / 1000U) + " kHz";
   return std::to_string(hertz) + " Hz";
-}
-
-std::string as_decimal(int hundredths) {
-  const std::string rest = std::to_string(hundredths % 100);
-  return std::to_string(hundredths / 100) + (rest.size() < 2 ? ".0" : ".") + rest;
 }
 
 /// What is wrong, for `parse_effects` to hand on.
@@ -174,7 +169,8 @@ BusTiming read_bus(Reader& value, BusTiming bus) {
   return bus;
 }
 
-TeTiming read_te(Reader& value, TeTiming te, std::uint32_t nominal) {
+TeTiming read_te(Reader& value, std::uint32_t nominal) {
+  TeTiming te;
   if (value.rest() == "off") {
     value.word({"off"});
     te.connected = false;
@@ -207,13 +203,13 @@ DrawTime read_draw(Reader& value) {
   return draw;
 }
 
-RefreshDrift read_drift(Reader& value, RefreshDrift drift) {
+RefreshDrift read_drift(Reader& value) {
+  RefreshDrift drift;
   if (value.at_end()) return drift;
   const bool slower = value.take('-');
   if (!slower) value.take('+');
   drift.ppm = static_cast<int>(value.number("PPM", 0, 50'000)) * (slower ? -1 : 1);
   if (value.rest().starts_with("ppm")) value.skip(3);
-  drift.period = 0;
   if (!value.take('/')) return drift;
   drift.period = value.time(60U * second);
   if (drift.period < second / 10U) value.fail_range("a period of 100 ms to 60 s");
@@ -284,10 +280,10 @@ void read_effect(std::size_t which, Reader& value, const PanelSpec& panel, Effec
           value.word({"palette", "none"}) == 0 ? PaletteLatch::at_once : PaletteLatch::both_at_once;
       break;
     case Effect::te:
-      effects.te = read_te(value, table.te, c.refresh_millihertz);
+      effects.te = read_te(value, c.refresh_millihertz);
       break;
     case Effect::drift:
-      effects.drift = read_drift(value, table.drift);
+      effects.drift = read_drift(value);
       break;
     case Effect::scan:
       effects.scan = static_cast<ScanDirection>(value.word({"down", "up", "right", "left"}));
@@ -299,7 +295,7 @@ void read_effect(std::size_t which, Reader& value, const PanelSpec& panel, Effec
       effects.depth = read_depth(value, table.depth);
       break;
     case Effect::gamma: {
-      effects.gamma = table.gamma;
+      effects.gamma.emplace();
       if (value.at_end()) break;
       effects.gamma->hundredths = static_cast<int>(value.decimal(2, 500, "0.5 to 5"));
       if (effects.gamma->hundredths < 50) value.fail_range("0.5 to 5");
@@ -360,18 +356,11 @@ std::string effect_default(Effect effect, const PanelSpec& panel) {
     case Effect::bus:
       if (panel.capabilities.buffers > 0) return {};
       return as_rate(table.bus.hertz) + ", " + as_time(table.bus.gap) + " a window";
-    case Effect::te:
-      if (!table.te.connected) return "off";
-      return as_time(table.te.phase) + " after VBLANK begins, jitter " + as_time(table.te.jitter);
-    case Effect::drift:
-      return std::to_string(table.drift.ppm) + " ppm";
     case Effect::depth: {
       std::string bits;
       for (const int channel : table.depth.bits) bits += std::to_string(channel);
       return bits;
     }
-    case Effect::gamma:
-      return as_decimal(table.gamma.hundredths);
     case Effect::response:
       return as_time(table.response.rise) + " up, " + as_time(table.response.fall) + " down";
     case Effect::grid:

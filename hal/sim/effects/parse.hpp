@@ -30,7 +30,7 @@ struct EffectHelp {
 [[nodiscard]] std::variant<Effects, std::string> parse_effects(std::string_view text, const PanelSpec& panel);
 
 /// What an effect is on a panel where it is named without a value, as in "10 MHz, 2 us a window"; empty if
-/// there is nothing to tell.
+/// there is nothing to tell, or it is the same on all panels.
 [[nodiscard]] std::string effect_default(Effect effect, const PanelSpec& panel);
 
 }  // namespace hal::sim

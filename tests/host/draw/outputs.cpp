@@ -52,6 +52,15 @@ TEST_F(DrawTool, ReadsStandardInputAndPrintsTheDigest) {
   EXPECT_EQ(run("printf 'surface 1 1 1' | " + tool + " --ascii").output, ".\n");
 }
 
+TEST_F(DrawTool, APictureThatIsShownNowhereIsntSilentlyLost) {
+  const Outcome nowhere = run("printf 'surface 1 1 1' | " + tool);
+  EXPECT_EQ(nowhere.code, 0);
+  EXPECT_THAT(nowhere.output, HasSubstr("--png"));
+  const Outcome wires = run("printf 'surface 1 1 1' | " + tool + " --ascii --i2c /dev/i2c-1");
+  EXPECT_NE(wires.code, 0);
+  EXPECT_THAT(wires.output, HasSubstr("--panel"));
+}
+
 TEST_F(DrawTool, AsciiHasOneSignAnIndex) {
   const Outcome outcome =
       run("printf 'surface 6 1 8\\ncolor 9\\npixel 1 0\\ncolor 10\\npixel 2 0\\ncolor 35\\npixel 3 0\\ncolor "

@@ -493,6 +493,22 @@ TEST(HidLink, GoesOnBeyondTheLastNumber) {
   show.run(3);
 }
 
+TEST(HidLink, CountsFramesBeyondTheLastNumber) {
+  PanelSpec spec = hal::sim::paletted(8, 1, 1);
+  spec.capabilities.refresh_millihertz = 50'000'000;
+  Show show(spec);
+  show.wire.report_time = 5'000;
+  show.open();
+  for (int n = 0; n < 65'600; ++n) {
+    show.panel->buffer(0)[0] = static_cast<std::uint8_t>(n & 0xFF);
+    ASSERT_TRUE(show.panel->show(0, {}).ok()) << n;
+  }
+  ASSERT_TRUE(show.panel->wait_for_vblank().ok());
+  EXPECT_EQ(show.device.shown(), 65'600 - 65'535) << "0 is no frame";
+  EXPECT_EQ(show.panel->counters().frames, 65'600U);
+  EXPECT_EQ(show.panel->counters().rejected, 0U);
+}
+
 TEST(HidLink, LetsGoOfTheKeysOfADeviceThatIsGone) {
   Show show(scan_out());
   show.open();

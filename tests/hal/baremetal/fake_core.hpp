@@ -13,5 +13,7 @@ namespace fake_core {
 extern std::function<void()> on_sleep;
 /// True between mask_interrupts and unmask_interrupts.
 [[nodiscard]] bool masked();
+/// Calls of `synchronise` so far.
+[[nodiscard]] int synchronised();
 
 }  // namespace fake_core

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <hal/baremetal/memory_guard.hpp>
+#include <tests/hal/baremetal/fake_core.hpp>
 
 #include <gtest/gtest.h>
 
@@ -17,6 +18,7 @@ class Unit : public testing::Test {
   static constexpr std::size_t address = 3;
   static constexpr std::size_t type = 0x68 / 4;
   static constexpr std::size_t control = type + 1;
+  static constexpr std::size_t number = type + 2;
   static constexpr std::size_t base = type + 3;
   static constexpr std::size_t attributes = type + 4;
 
@@ -39,6 +41,28 @@ TEST_F(Unit, IsOnWithTheDefaultMapBehindAndOpensAndCloses) {
   EXPECT_EQ(access(), 6U);
   guard.open();
   EXPECT_EQ(access(), 3U);
+}
+
+TEST_F(Unit, ChangesItsOwnRegionAndIsInForceAtOnce) {
+  registers_[type] = 8U << 8U;
+  registers_[number] = 5;  // Of whoever else uses the unit.
+  const MemoryGuard guard(0x2000'1020, 32, at());
+  const int before = fake_core::synchronised();
+  ASSERT_TRUE(guard.start()) << "the least piece";
+  EXPECT_EQ(registers_[number], 0U);
+  EXPECT_GT(fake_core::synchronised(), before);
+  for (const bool closed : {true, false}) {
+    registers_[number] = 5;
+    const int changed = fake_core::synchronised();
+    if (closed) {
+      guard.close();
+    } else {
+      guard.open();
+    }
+    EXPECT_EQ(registers_[number], 0U);
+    EXPECT_EQ(fake_core::synchronised(), changed + 1);
+    EXPECT_EQ(access(), closed ? 6U : 3U);
+  }
 }
 
 TEST_F(Unit, ThatIsntThereOrCantGuardThePieceDoesntStart) {

@@ -52,6 +52,7 @@ TEST_F(Lcd, StartsWithBufferZeroOnDisplayAndItsInterruptOn) {
   EXPECT_EQ(registers[control] >> 1U & 7U, 3U) << "8 bits a pixel";
   EXPECT_EQ((registers[0] >> 2U & 63U) + 1U, 32U / 16U) << "pixels a line / 16";
   EXPECT_EQ((registers[1] & 1023U) + 1U, 4U) << "lines";
+  EXPECT_EQ((registers[2] >> 16U & 1023U) + 1U, 32U) << "clocks a line";
 }
 
 TEST_F(Lcd, TheTwoBuffersAreNeighboursAndThereIsNoThird) {
@@ -195,6 +196,12 @@ TEST_F(Lcd, RefusesWhatItCannotScan) {
         << bad.width << 'x' << bad.height << 'x' << bad.bits_per_pixel;
     EXPECT_EQ(registers, Registers{});
   }
+}
+
+TEST_F(Lcd, ScansTheLeastAndTheLargest) {
+  std::vector<std::uint8_t> plenty(std::size_t{1} << 21U);
+  for (const Pl110::Geometry& good : {Pl110::Geometry{16, 1, 8}, {1024, 1024, 8}})
+    EXPECT_TRUE(Pl110(registers_address(), good, plenty).start().ok()) << good.width;
 }
 
 TEST_F(Lcd, RefusesTooLittleMemory) {

@@ -60,7 +60,8 @@ int main() {
   Pen pen(surface.value(), 1);
   asm volatile("" : : "r"(&pen) : "memory");
   const Bench bench(pen);
-  for (const auto& rows : {basic_rows, line_rows, curve_rows, polygon_rows, smooth_rows, picture_rows}) {
+  for (const auto& rows :
+       {basic_rows, line_rows, curve_rows, polygon_rows, smooth_rows, picture_rows, composed_rows}) {
     for (const Row& row : rows) {
       const std::uint32_t instructions = bench.count(row.draw);
       std::uint32_t drawn = 0;

@@ -10,6 +10,7 @@
 #include <intaglio/raster/line.hpp>
 #include <intaglio/raster/polygon.hpp>
 #include <intaglio/raster/ring.hpp>
+#include <intaglio/raster/ring_arc.hpp>
 #include <intaglio/raster/round_rect.hpp>
 #include <intaglio/raster/thick_line.hpp>
 #include <intaglio/raster/triangle.hpp>
@@ -86,6 +87,14 @@ constexpr Pair all[] = {
     {"ring", [](const Pen& pen) { use(raster::fill_ring(pen, opaque(middle), opaque(100), opaque(119))); },
      [](const Pen& pen) {
        use(raster::fill_ring(pen, opaque(Point{160 - reach, 120}), opaque(reach - 19), opaque(reach)));
+     }},
+    {"ring arc",
+     [](const Pen& pen) {
+       use(raster::fill_ring_arc(pen, opaque(middle), opaque(100), opaque(119), {}, opaque(40000)));
+     },
+     [](const Pen& pen) {
+       use(raster::fill_ring_arc(pen, opaque(Point{160 - reach, 120}), opaque(reach - 19), opaque(reach), {},
+                                 opaque(40000)));
      }},
     {"ellipse",
      [](const Pen& pen) { use(raster::draw_ellipse(pen, opaque(middle), opaque(159), opaque(119))); },

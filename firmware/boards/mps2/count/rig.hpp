@@ -50,6 +50,7 @@ extern const std::span<const Row> basic_rows;
 extern const std::span<const Row> line_rows;
 extern const std::span<const Row> curve_rows;
 extern const std::span<const Row> polygon_rows;
+extern const std::span<const Row> composed_rows;
 extern const std::span<const Row> picture_rows;
 extern const std::span<const Row> smooth_rows;
 extern const std::span<const Pair> pairs;

@@ -271,6 +271,20 @@ TEST(FrameBuffer, ASizeIsAskedForAndElseThePictureIsEnlarged) {
   EXPECT_EQ(device.pixel(1 + 5, 3), (7U * 2U + 3U) * 0x010305U);
 }
 
+TEST(FrameBuffer, ASmallPictureOfADeviceThatLooksColoursUpLiesInTheMiddleToo) {
+  Device device(8);
+  device.mode.yres_virtual = 20;
+  device.memory.assign(device.memory.size(), 0x55);
+  device.fixed_mode = true;
+  FbPanel panel("/dev/fb0", {9, 5}, device);
+  EXPECT_FALSE(panel.pans());
+  show(panel, 1, 0);
+  while (panel.show_pending()) ASSERT_TRUE(panel.wait_for_vblank().ok());
+  EXPECT_EQ(device.pixel(0, 0), 0U) << "18x10 in the middle of 20x10";
+  EXPECT_EQ(device.pixel(1 + 4, 2), 7U * 2U + 3U);
+  EXPECT_EQ(device.pixel(1 + 5, 3), 7U * 2U + 3U);
+}
+
 TEST(FrameBuffer, VblanksAreTheDevicesWhereItTellsThem) {
   Device device(8);
   device.tells_vblanks = true;
@@ -436,6 +450,36 @@ TEST_P(EveryFrameBuffer, ShowsNothingOfARequestAheadOfItsVblank) {
   EXPECT_EQ(red_seen(), 24U) << "what was loaded stays";
 }
 
+TEST_P(EveryFrameBuffer, ColoursLoadedReachARequestThatWaits) {
+  FbPanel panel("/dev/fb0", {}, device_);
+  fill(panel, 1, 32);
+  ASSERT_TRUE(panel.show(1, reds(0)).ok());
+  ASSERT_TRUE(panel.load_palette(reds(64)).ok());
+  device_.vblank();
+  EXPECT_EQ(panel.on_display(), 1);
+  EXPECT_EQ(red_seen(), 96U);
+  // A request whose VBLANK is over is on display.
+  fill(panel, 0, 8);
+  ASSERT_TRUE(panel.show(0, {}).ok());
+  device_.vblank();
+  ASSERT_TRUE(panel.load_palette(reds(128)).ok());
+  EXPECT_EQ(red_seen(), 136U);
+  if (!panel.has_hardware_palette()) return;
+  // Those that couldn't be loaded are with the next request.
+  device_.failing = FBIOPUTCMAP;
+  EXPECT_EQ(panel.load_palette(reds(0)).error(), Error::bus);
+  device_.failing = 0;
+  EXPECT_EQ(red_seen(), 136U);
+  for (int i = 0; i < 2; ++i) {
+    device_.happened.clear();
+    ASSERT_TRUE(panel.show(0, {}).ok());
+    device_.vblank();
+    EXPECT_FALSE(panel.show_pending());
+    EXPECT_EQ(red_seen(), 8U);
+    EXPECT_EQ(std::ranges::count(device_.happened, "colours"), i == 0 ? 1 : 0) << "the device has them";
+  }
+}
+
 TEST_P(EveryFrameBuffer, KeepsWhatItShowsAndItsColoursIfTheNextFails) {
   FbPanel panel("/dev/fb0", {}, device_);
   fill(panel, 0, 8);
@@ -530,8 +574,8 @@ TEST(FrameBuffer, ADriverThatLiesIsRefused) {
   EXPECT_THAT(refusal_of([](Device& d) { d.memory_lie = 879; }), HasSubstr("less memory"));
   EXPECT_THAT(refusal_of([](Device& d) { d.mode.xres = 0; }), HasSubstr("0x10 pixels, which no screen has"));
   EXPECT_THAT(refusal_of([](Device& d) { d.mode.yres = 0x8000'0000; }), HasSubstr("which no screen has"));
-  for (const fb_bitfield& field :
-       {fb_bitfield{32, 8, 0}, fb_bitfield{0xFFFF'FFF8, 8, 0}, fb_bitfield{8, 40, 0}})
+  for (const fb_bitfield& field : {fb_bitfield{32, 8, 0}, fb_bitfield{28, 8, 0}, fb_bitfield{32, 0, 0},
+                                   fb_bitfield{0xFFFF'FFF8, 8, 0}, fb_bitfield{8, 40, 0}})
     EXPECT_THAT(refusal_of([&](Device& d) { d.mode.green = field; }), HasSubstr("inside its pixels"));
 }
 

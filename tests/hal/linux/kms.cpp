@@ -226,6 +226,42 @@ TEST_F(Kms, AFlipThatFailsAfterTheOneBeforeIsSaidByTheNextCall) {
   EXPECT_EQ(card().pixel(0, 0), 0x060606U) << "the colours of the lost one stay";
 }
 
+TEST_F(Kms, AFlipThatFailsAfterTheOneBeforeIsSaidByAWaitToo) {
+  for (const bool noticed_before : {false, true}) {
+    KmsPanel panel("/dev/dri/card0", {}, kernel_);
+    card().flip_error = EBUSY;
+    card().flips_left = 1;
+    ASSERT_TRUE(panel.show(1, palette_of(5)).ok());
+    ASSERT_TRUE(panel.show(0, palette_of(6)).ok());
+    if (noticed_before) {
+      card().vblank();
+      EXPECT_FALSE(panel.show_pending());
+    }
+    EXPECT_EQ(panel.wait_for_vblank(), Status(Error::bus, Part::buffer));
+    EXPECT_TRUE(panel.wait_for_vblank().ok()) << "it is said once";
+  }
+}
+
+TEST_F(Kms, ARequestAfterAFlipThatNoOneAskedForWaitsForNothingElse) {
+  KmsPanel panel("/dev/dri/card0", {}, kernel_);
+  ASSERT_TRUE(panel.show(1, palette_of(5)).ok());
+  card().vblank();
+  ASSERT_TRUE(panel.show(0, palette_of(6)).ok());
+  card().vblank();
+  EXPECT_EQ(card().pixel(0, 0), 0x060606U);
+}
+
+TEST_F(Kms, ColoursLoadedReachAllRequestsThatWait) {
+  KmsPanel panel("/dev/dri/card0", {}, kernel_);
+  ASSERT_TRUE(panel.show(1, palette_of(5)).ok());
+  ASSERT_TRUE(panel.show(0, palette_of(6)).ok());
+  ASSERT_TRUE(panel.load_palette(palette_of(7)).ok());
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_EQ(card().pixel(0, 0), 0x070707U) << i;
+    ASSERT_TRUE(panel.wait_for_vblank().ok());
+  }
+}
+
 TEST_F(Kms, ColoursOfARequestThatIsReplacedReachTheNext) {
   KmsPanel panel("/dev/dri/card0", {}, kernel_);
   fill(panel, 0, 1);
@@ -421,6 +457,8 @@ TEST_F(Kms, WhatCanNotBeHadIsSaid) {
   EXPECT_THAT(refusal(), HasSubstr("graphics card /dev/dri/card0: permission denied; "));
   kernel_.open_error = 0;
   EXPECT_THAT(refusal({101, 70}), HasSubstr("100x70 pixels, too few for 101x70"));
+  EXPECT_THAT(refusal({0, 5}), HasSubstr("for 0x5"));
+  EXPECT_THAT(refusal({5, -1}), HasSubstr("for 5x-1"));
   card().resources_error = EOPNOTSUPP;
   EXPECT_THAT(refusal(), HasSubstr("/dev/dri/card0 has no screens"));
   card().resources_error = 0;

@@ -28,6 +28,25 @@ const char* line_or_column(hal::ScanDirection scan) { return hal::sim::by_column
 
 Span whole(const std::vector<Span>& spans) { return {spans.front().begin, spans.back().end}; }
 
+/// What is said of one frame, or of several in succession alike: lines, each to follow the frame's name.
+struct Paragraph {
+  std::uint32_t first;
+  std::uint32_t last;
+  std::string said;
+
+  [[nodiscard]] std::string text() const {
+    const std::string subject = first == last ? fmt::format("Frame {} ", first)
+                                              : fmt::format("Each of frames {} to {} ", first, last);
+    std::string text;
+    for (std::size_t begin = 0; begin < said.size();) {
+      const std::size_t end = said.find('\n', begin) + 1U;
+      text += subject + said.substr(begin, end - begin);
+      begin = end;
+    }
+    return text;
+  }
+};
+
 /// A run, looked at frame by frame.
 class Report {
  public:
@@ -40,28 +59,32 @@ class Report {
   [[nodiscard]] std::string text(std::size_t most) const {
     std::size_t late = 0;
     std::size_t dropped = 0;
-    std::string paragraphs;
-    std::size_t told = 0;
+    std::vector<Paragraph> paragraphs;
     std::size_t untold = 0;
     for (const FrameRecord& frame : timeline_.frames()) {
       if (frame.late > 0) ++late;
       if (frame.dropped) ++dropped;
       const auto torn = torn_.find(frame.number);
       if (frame.late == 0 && !frame.dropped && torn == torn_.end()) continue;
-      if (told == most) {
+      std::string said;
+      if (frame.dropped) said += drop(frame);
+      if (frame.late > 0) said += lateness(frame);
+      if (torn != torn_.end()) said += tear(frame, torn->second);
+      const bool again = !paragraphs.empty() && untold == 0 && paragraphs.back().last + 1U == frame.number &&
+                         paragraphs.back().said == said;
+      if (again) {
+        paragraphs.back().last = frame.number;
+      } else if (paragraphs.size() < most) {
+        paragraphs.push_back({frame.number, frame.number, said});
+      } else {
         ++untold;
-        continue;
       }
-      ++told;
-      if (frame.dropped) paragraphs += drop(frame);
-      if (frame.late > 0) paragraphs += lateness(frame);
-      if (torn != torn_.end()) paragraphs += tear(frame, torn->second);
     }
     std::string all = fmt::format("{} frames in {} of {}: {} torn, {} late, {} dropped.\n",
                                   timeline_.frames().size(), refreshes(timeline_.refreshes().size()),
                                   ms(panel_.frame_time()), torn_.size(), late, dropped);
     if (timeline_.counts()) all += fmt::format("Frames: {}.\n", to_text(*timeline_.counts()));
-    all += paragraphs;
+    for (const Paragraph& paragraph : paragraphs) all += paragraph.text();
     if (untold > 0) all += fmt::format("... and {} more.\n", untold);
     return all;
   }
@@ -112,19 +135,18 @@ class Report {
 
   [[nodiscard]] std::string drop(const FrameRecord& frame) const {
     if (!frame.presented)
-      return fmt::format("Frame {} was dropped: due {} after the frame before, it was ready after {}. {}.\n",
-                         frame.number, ms(frame.deadline->length()), ms(frame.time - frame.deadline->begin),
+      return fmt::format("was dropped: due {} after the frame before, it was ready after {}. {}.\n",
+                         ms(frame.deadline->length()), ms(frame.time - frame.deadline->begin),
                          capital(made_of(frame)));
-    return fmt::format(
-        "Frame {} was dropped: it was asked for, but {} later, before its VBLANK, another frame was.\n",
-        frame.number, ms(frame.presented->length()));
+    return fmt::format("was dropped: it was asked for, but {} later, before its VBLANK, another frame was.\n",
+                       ms(frame.presented->length()));
   }
 
   [[nodiscard]] std::string lateness(const FrameRecord& frame) const {
     const Nanoseconds budget = timeline_.budget();
-    std::string text = fmt::format(
-        "Frame {} was late by {}: due {} after the frame before, it came after {}. {}.", frame.number,
-        refreshes(frame.late), ms(budget), ms(frame.time - frame.deadline->begin), capital(made_of(frame)));
+    std::string text = fmt::format("was late by {}: due {} after the frame before, it came after {}. {}.",
+                                   refreshes(frame.late), ms(budget), ms(frame.time - frame.deadline->begin),
+                                   capital(made_of(frame)));
     // On a write panel the time to send the frame before is gone, too.
     const FrameRecord* const before = frame.number > 0 ? &timeline_.frames()[frame.number - 1U] : nullptr;
     const Nanoseconds drawing = frame.draw ? frame.draw->length() : 0;
@@ -151,7 +173,7 @@ class Report {
     std::string text;
     for (const std::uint64_t number : torn) {
       const std::vector<const Tear*>& tears = tears_of_.at(number);
-      text += fmt::format("Frame {} tore in refresh {}: {}. {}\n", frame.number, number, met(tears, frame),
+      text += fmt::format("tore in refresh {}: {}. {}\n", number, met(tears, frame),
                           cause(frame, number, *tears.front()));
     }
     return text;

@@ -14,7 +14,7 @@ namespace host {
 [[nodiscard]] std::string to_text(const intaglio::present::FrameCounts& counts);
 
 /// A sentence of the whole run, its counts if there are any, then a paragraph for each frame that wasn't
-/// shown as it should be, up to `most` of them.
+/// shown as it should be, or for several alike in succession, up to `most` of them.
 [[nodiscard]] std::string explain(const Timeline& timeline, const std::vector<hal::sim::Tear>& tears,
                                   std::size_t most = 20);
 

@@ -189,10 +189,27 @@ TEST(Explain, ABufferSwappedInMidPictureIsTheCause) {
       << text;
 }
 
+TEST(Explain, FramesInSuccessionThatWereLateAlikeAreToldTogether) {
+  Stage stage(2);
+  for (std::uint32_t frame = 0; frame < 12; ++frame) {
+    stage.draw(frame, frame == 8 ? millisecond : 20U * millisecond);
+    stage.show(frame);
+    ASSERT_TRUE(stage.panel.wait_for_vblank().ok());
+  }
+  const std::string late =
+      "was late by 1 refresh: due 16.67 ms after the frame before, it came after 33.33 ms. Drawing took "
+      "20.00 "
+      "ms. Drawing alone takes longer than a frame may.\n";
+  EXPECT_EQ(stage.explanation(),
+            "12 frames in 23 refreshes of 16.67 ms: 0 torn, 10 late, 0 dropped.\n"
+            "Each of frames 1 to 7 " +
+                late + "Each of frames 9 to 11 " + late);
+}
+
 TEST(Explain, ALongListIsCut) {
   Stage stage(2);
   for (std::uint32_t frame = 0; frame < 30; ++frame) {
-    stage.draw(frame, 20U * millisecond);
+    stage.draw(frame, (20U + frame % 2U) * millisecond);
     stage.show(frame);
     ASSERT_TRUE(stage.panel.wait_for_vblank().ok());
   }

@@ -26,6 +26,12 @@ std::string refreshes(std::uint64_t count) {
 
 const char* line_or_column(hal::ScanDirection scan) { return hal::sim::by_columns(scan) ? "column" : "line"; }
 
+/// "lines 3 to 15", from line `from` on and before line `before`, or, as the beam goes, the other way.
+std::string between(const char* line, int from, int before) {
+  const auto [first, last] = std::minmax({from, from < before ? before - 1 : before + 1});
+  return first == last ? fmt::format("{} {}", line, first) : fmt::format("{}s {} to {}", line, first, last);
+}
+
 Span whole(const std::vector<Span>& spans) { return {spans.front().begin, spans.back().end}; }
 
 /// What is said of one frame, or of several in succession alike: lines, each to follow the frame's name.
@@ -170,12 +176,16 @@ class Report {
   }
 
   [[nodiscard]] std::string tear(const FrameRecord& frame, const std::vector<std::uint64_t>& torn) const {
+    constexpr std::size_t most = 3;
     std::string text;
-    for (const std::uint64_t number : torn) {
-      const std::vector<const Tear*>& tears = tears_of_.at(number);
-      text += fmt::format("tore in refresh {}: {}. {}\n", number, met(tears, frame),
-                          cause(frame, number, *tears.front()));
+    for (std::size_t i = 0; i < std::min(torn.size(), most); ++i) {
+      const std::vector<const Tear*>& tears = tears_of_.at(torn[i]);
+      text += fmt::format("tore in refresh {}: {}. {}\n", torn[i], met(tears, frame),
+                          cause(frame, torn[i], *tears.front()));
     }
+    if (torn.size() > most)
+      text += fmt::format("tore in {} more, the last of them refresh {}.\n", refreshes(torn.size() - most),
+                          torn.back());
     return text;
   }
   /// Which frames met, and where, as the beam goes.
@@ -188,9 +198,8 @@ class Report {
       return fmt::format("no {} was of one frame alone", line);
     // Where bus and beam run abreast, lines of both frames alternate, and some are half sent.
     if (!frame.transfers.empty() && tears.size() > 1 && tears.front()->above == tears.back()->below)
-      return fmt::format("{}, but for {}s {} to {}", side(tears.front()->above), line,
-                         std::min(tears.front()->line, tears.back()->line + 1),
-                         std::max(tears.front()->line, tears.back()->line - 1));
+      return fmt::format("{}, but for {}", side(tears.front()->above),
+                         between(line, tears.front()->line, tears.back()->line));
     if (!frame.transfers.empty() && tears.size() > 1)
       return fmt::format("{} up to {} {}, {} from {} on, both in between", side(tears.front()->above), line,
                          tears.front()->line, side(tears.back()->below), tears.back()->line);

@@ -21,7 +21,9 @@ std::variant<Options, int> parse_command_line(int argc, const char* const* argv)
       ->capture_default_str();
   app.add_option("--frames", options.frames, "Frames to run (default: until you end it, or 120 unattended)")
       ->check(CLI::Range(std::uint32_t{1}, std::uint32_t{1'000'000'000}));
-  app.add_option("--fps", options.frames_per_second, "Frames a second")
+  app.add_option(
+         "--fps", options.frames_per_second,
+         "Frames a second: the nearest that is a refresh of the panel, or every second, third ... one")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   app.add_option("--buffers", options.buffers,

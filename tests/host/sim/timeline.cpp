@@ -206,6 +206,19 @@ TEST(Explain, FramesInSuccessionThatWereLateAlikeAreToldTogether) {
                 late + "Each of frames 9 to 11 " + late);
 }
 
+TEST(Explain, TheManyRefreshesOfOneFrameAreCounted) {
+  Effects effects;
+  effects.bus = hal::sim::BusTiming{
+      .hertz = 32U * 240U * 10U, .clocks_per_byte = 1, .bits_per_pixel = 8, .command_bytes = 0, .gap = 0};
+  Stage stage(0, effects);
+  stage.draw(0, 0);
+  stage.send(0);  // 100 ms: torn in refreshes 1 to 5, and in 0 by its first bytes.
+  stage.clock.advance(2U * stage.panel.frame_time());
+  const std::string text = stage.explanation();
+  EXPECT_EQ(std::ranges::count(text, '\n'), 5) << text;
+  EXPECT_TRUE(holds(text, "Frame 0 tore in 2 refreshes more, the last of them refresh 5.\n")) << text;
+}
+
 TEST(Explain, ALongListIsCut) {
   Stage stage(2);
   for (std::uint32_t frame = 0; frame < 30; ++frame) {

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -135,6 +136,41 @@ TEST(Bands, AnErrorOfTheDrawingEndsTheFrame) {
   const Status s = bands.present([&](const Surface<Indexed8>&) { return ++calls == 3 ? wrong : Status{}; });
   EXPECT_EQ(s, wrong);
   EXPECT_EQ(calls, 3);
+}
+
+TEST(BandCut, CoversThePictureInEveryDirectionWhateverTheMemory) {
+  using hal::ScanDirection;
+  for (const auto scan : {ScanDirection::down, ScanDirection::up, ScanDirection::left, ScanDirection::right})
+    for (const int alignment : {1, 2, 3, 4})
+      for (const int bits : {1, 4, 8}) {
+        const bool sideways = scan == ScanDirection::left || scan == ScanDirection::right;
+        const hal::Capabilities panel{.width = 23,
+                                      .height = 17,
+                                      .bits_per_pixel = bits,
+                                      .x_alignment = alignment,
+                                      .y_alignment = alignment,
+                                      .scan = scan};
+        const std::size_t least = intaglio::present::least_memory(panel, bits, sideways);
+        EXPECT_EQ(intaglio::present::along_scan(panel, bits, least - 1).count, 0);
+        std::size_t lines = 0;
+        for (std::size_t memory = least; memory <= 23U * 17U; ++memory) {
+          const auto cut = intaglio::present::along_scan(panel, bits, memory);
+          int end = 0;  // Of the lines scanned so far.
+          for (int step = 0; step < cut.count; ++step) {
+            ASSERT_EQ(cut.first_scanned(panel, step), end);
+            const auto band = cut.band(panel, step);
+            ASSERT_LE(static_cast<std::size_t>((band.width * bits + 7) / 8 * band.height), memory);
+            ASSERT_EQ((sideways ? band.x : band.y) % alignment, 0);
+            ASSERT_EQ(sideways ? band.x * bits % 8 : 0, 0) << "whole bytes";
+            end += cut.lines_of(band);
+          }
+          ASSERT_EQ(end, sideways ? 23 : 17);
+          ASSERT_GE(static_cast<std::size_t>(cut.lines), lines) << "more memory, but fewer lines";
+          lines = static_cast<std::size_t>(cut.lines);
+        }
+        for (const std::size_t memory : {std::size_t{23 * 17}, std::numeric_limits<std::size_t>::max()})
+          EXPECT_EQ(intaglio::present::along_scan(panel, bits, memory).count, 1) << "all at once";
+      }
 }
 
 }  // namespace

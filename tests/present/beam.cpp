@@ -437,6 +437,22 @@ TEST(BeamChaser, AimsAtTheFirstRefreshWhoseWindowIsStillOpen) {
   EXPECT_EQ(chase.aim(), 2U);
 }
 
+TEST(BeamChaser, CountsATearFromTheNanosecondAfterTheWindowWasOpen) {
+  for (const Nanoseconds late : {0U, 1U}) {
+    Chase chase;
+    hal::Clock& clock = chase.clock;
+    const StartWindow window = start_window(chase.timing, 0, height, Travel::along);
+    ASSERT_GE(window.latest, 0) << "the refresh after the signal is aimed at";
+    clock.wait_until(chase.signals.at + static_cast<Nanoseconds>(window.latest) + late);
+    chase.chaser.before_write(0, height);
+    // Late, but so fast that it is out in time: the beam may be in the middle all the same.
+    if (late == 0) chase.clock.advance(chase.timing.bus_band + height * chase.timing.bus_line);
+    chase.chaser.after_write();
+    chase.chaser.complete();
+    EXPECT_EQ(chase.chaser.torn(), late);
+  }
+}
+
 TEST(BeamChaser, GoesOnWhenTheSourceLeaps) {
   Chase chase;
   const Nanoseconds told = chase.signals.at;

@@ -235,6 +235,30 @@ TEST(WritePanels, AFrameWhoseColoursWouldShowAtOnceIsNotDropped) {
   ASSERT_TRUE(writer.present(writer.begin().value(), Palette{9, 9, 9}).ok());
   EXPECT_EQ(writer.counts().late, 1U);
   EXPECT_EQ(writer.counts().dropped, 0U);
+  BandWriter<Indexed8> bands(panel, std::span(memory).first(2), Pace(1, Late::drop));
+  const auto draw = [](const Surface<Indexed8>&) { return Status{}; };
+  ASSERT_TRUE(bands.present(draw).ok());
+  clock.advance(3U * panel.frame_time());
+  ASSERT_TRUE(bands.present(draw, Palette{8, 8, 8}).ok());
+  EXPECT_EQ(bands.counts().late, 1U);
+  EXPECT_EQ(bands.counts().dropped, 0U);
+}
+
+TEST(WritePanels, AFrameWhoseColoursTheDeviceRefusesIsLostOnce) {
+  hal::mock::StrictPanel panel(hal::mock::write_panel(2, 2, 8));
+  std::array<std::uint8_t, 4> memory{};
+  FrameWriter<Indexed8> writer(panel, memory);
+  ASSERT_TRUE(writer.present(writer.begin().value(), Palette{1, 1, 1}).ok());
+  panel.fail_next({hal::Error::bus, hal::Part::bus});
+  EXPECT_EQ(writer.present(writer.begin().value(), Palette{2, 2, 2}), Status(Error::device, Argument::panel));
+  EXPECT_EQ(writer.counts(), (FrameCounts{1, 0, 1, 1}));
+  hal::mock::StrictPanel other(hal::mock::write_panel(2, 2, 8));
+  BandWriter<Indexed8> bands(other, memory);
+  const auto draw = [](const Surface<Indexed8>&) { return Status{}; };
+  ASSERT_TRUE(bands.present(draw, Palette{3, 3, 3}).ok());
+  other.fail_next({hal::Error::bus, hal::Part::bus});
+  EXPECT_EQ(bands.present(draw, Palette{4, 4, 4}), Status(Error::device, Argument::panel));
+  EXPECT_EQ(bands.counts(), (FrameCounts{1, 0, 1, 1}));
 }
 
 /// A write panel that applies colours to pixels as they arrive: it keeps colours, not indices.

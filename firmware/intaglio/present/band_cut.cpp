@@ -54,11 +54,10 @@ BandCut along_scan(const hal::Capabilities& panel, int bits_per_pixel, std::size
   if (panel.scan == ScanDirection::down || panel.scan == ScanDirection::up) {
     cut = rows_from_top(panel, bits_per_pixel, memory);
   } else {
-    const int least = least_columns(panel, bits_per_pixel);
-    const std::size_t bytes = least_memory(panel, bits_per_pixel, true);
-    const int most = (panel.width - 1) / least + 1;
-    const int groups = static_cast<int>(std::min(memory / bytes, static_cast<std::size_t>(most)));
-    cut.lines = std::min(groups * least, panel.width);
+    const auto all = static_cast<std::size_t>(row_bytes(panel.width, bits_per_pixel) * panel.height);
+    const auto groups = static_cast<int>(std::min(memory, all) / least_memory(panel, bits_per_pixel, true));
+    // The last group may be narrower, so all may fit where as many whole groups don't.
+    cut.lines = memory < all ? groups * least_columns(panel, bits_per_pixel) : panel.width;
     cut.columns = true;
     if (cut.lines > 0) cut.count = (panel.width - 1) / cut.lines + 1;
   }

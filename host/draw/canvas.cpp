@@ -28,7 +28,7 @@
 #include <intaglio/raster/thick_line_rungs.hpp>
 #include <intaglio/raster/triangle.hpp>
 #include <intaglio/raster/triangle_box.hpp>
-#include <intaglio/text/draw_text.hpp>
+#include <intaglio/text/draw_aligned_text.hpp>
 
 #include <cstddef>
 #include <span>
@@ -208,7 +208,9 @@ struct Drawer {
     return {};
   }
   Status operator()(const Text& t) const {
-    return intaglio::text::draw_text(sink, *t.font, t.top_left, t.utf8);
+    if (!linear::in_domain(t.place)) return {intaglio::Error::out_of_domain, intaglio::Argument::point};
+    return intaglio::text::draw_aligned_text(sink, *t.font, {t.place.x, t.place.y}, t.alignment, t.baseline,
+                                             t.utf8);
   }
 };
 

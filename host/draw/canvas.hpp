@@ -13,6 +13,7 @@
 #include <intaglio/raster/round_rect.hpp>
 #include <intaglio/raster/stroke.hpp>
 #include <intaglio/status.hpp>
+#include <intaglio/text/aligned_lines.hpp>
 #include <intaglio/text/font.hpp>
 
 #include <cstdint>
@@ -119,8 +120,10 @@ struct FloodFill {
 };
 struct Text {
   const intaglio::text::Font* font = nullptr;
-  linear::Point top_left;
+  linear::Point place;
   std::string utf8;
+  intaglio::text::Alignment alignment{};
+  intaglio::text::Baseline baseline{};
 };
 using Primitive = std::variant<Pixel, Line, Dashes, ThickLine, Polyline, Rectangle, Circle, DiametricCircle,
                                Ellipse, Ring, Arc, EllipseArc, RoundRectangle, Triangle, Polygon, Combination,

@@ -67,7 +67,9 @@ std::string_view language_help() {
                              bilinear; stretch nearest (the default), bilinear, or box (each pixel the mean of what
                              lies under it, best to shrink)
   font NAME                  fixed_6x13 (the default), fixed_5x8, sans_11, digits_16, digits_28, digits_48
-  text X Y "UTF-8"           top left of the text; escapes \" \\ and \n (next line)
+  text X Y "UTF-8" [left|centre|right [top|middle|baseline|bottom]]
+                             X Y is the text's top left, or where its lines begin, have their middle or end, and its
+                             top, middle, first base line or bottom is; escapes \" \\ and \n (next line)
 The surface is black (index 0) at first. Coordinates are whole pixels up to 2^20 either way, and may lie outside
 the surface. Those of line, thickline, polyline, triangle, polygon, clippoly, boolean and coverage may be decimals
 or fractions such as 7/3; they are rounded to the nearest 1/256, halves away from zero. An error says

@@ -6,6 +6,7 @@
 #include <host/draw/canvas.hpp>
 #include <host/draw/sprite.hpp>
 #include <intaglio/raster/stroke.hpp>
+#include <intaglio/text/aligned_lines.hpp>
 
 #include <array>
 #include <string_view>
@@ -37,6 +38,19 @@ inline constexpr auto caps = [] {
   using intaglio::raster::Cap;
   return std::to_array<std::pair<std::string_view, Cap>>(
       {{"butt", Cap::butt}, {"square", Cap::square}, {"round", Cap::round}});
+}();
+
+inline constexpr auto alignments = [] {
+  using intaglio::text::Alignment;
+  return std::to_array<std::pair<std::string_view, Alignment>>(
+      {{"left", Alignment::left}, {"centre", Alignment::centre}, {"right", Alignment::right}});
+}();
+inline constexpr auto baselines = [] {
+  using intaglio::text::Baseline;
+  return std::to_array<std::pair<std::string_view, Baseline>>({{"top", Baseline::top},
+                                                               {"middle", Baseline::middle},
+                                                               {"baseline", Baseline::alphabetic},
+                                                               {"bottom", Baseline::bottom}});
 }();
 
 // For sprites that are turned, and that are stretched.

@@ -345,10 +345,13 @@ class Interpreter {
   }
 
   void text(Arguments& in) {
-    const Point top_left = in.point("x", "y");
+    const Point place = in.point("x", "y");
     const Word& string = in.word("text");
     if (!string.quoted) throw Failure(fmt::format("the text must stand in quotes, not '{}'", string.text));
-    pending_ = Text{font_, top_left, string.text};
+    Text text{font_, place, string.text};
+    if (in.left() > 0) text.alignment = in.one_of("alignment", alignments);
+    if (in.left() > 0) text.baseline = in.one_of("base line", baselines);
+    pending_ = std::move(text);
   }
 
   static Circle round(Arguments& in, bool filled) {

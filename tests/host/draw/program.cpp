@@ -22,6 +22,7 @@
 #include <intaglio_fonts/fixed_6x13.hpp>
 #include <intaglio_fonts/sans_11.hpp>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -307,11 +308,10 @@ TEST(Draw, FloodFillsTheRegionOfTheSeedsIndexInsideTheClip) {
 }
 
 TEST(Draw, TextInTheNamedFontWithEscapes) {
-  const oracle::Utf8 utf8;
   const auto expect_text = [&](const std::string& commands, const intaglio::text::Font& font, int x0, int y0,
                                std::string_view text) {
     const oracle::Touches touches =
-        oracle::text_pixels(utf8, font.tables(), x0, y0, text, {0, 0, width, height});
+        oracle::text_pixels(oracle::utf8_by_definition(), font.tables(), x0, y0, text, {0, 0, width, height});
     EXPECT_FALSE(touches.empty());
     expect_pixels(commands, [&](int x, int y) { return touches.contains({y, x}); });
   };
@@ -320,6 +320,22 @@ TEST(Draw, TextInTheNamedFontWithEscapes) {
               "a\"b\\\nc #d");
   expect_text("font sans_11\ntext 1 1 \"Il \xFF\"", intaglio::fonts::sans_11, 1, 1, "Il \xFF");
   expect_pixels("text 1 1 \"\"", [](int, int) { return false; });
+}
+
+TEST(Draw, TextAlignedAtItsPlace) {
+  const auto expect_aligned = [&](const std::string& how, int across, std::optional<int> down) {
+    const oracle::Touches touches =
+        oracle::aligned_text_pixels(oracle::utf8_by_definition(), intaglio::fonts::fixed_6x13.tables(), 30,
+                                    30, 0, 0, across, down, "Il\n2 g", {0, 0, width, height});
+    EXPECT_FALSE(touches.empty());
+    expect_pixels("text 30 30 \"Il\\n2 g\"" + how, [&](int x, int y) { return touches.contains({y, x}); });
+  };
+  expect_aligned(" left", 0, 0);
+  expect_aligned(" centre", 1, 0);
+  expect_aligned(" right top", 2, 0);
+  expect_aligned(" right middle", 2, 1);
+  expect_aligned(" left baseline", 0, {});
+  expect_aligned(" centre bottom", 1, 2);
 }
 
 TEST(Draw, ClipRestrictsAndNoneResets) {
@@ -527,7 +543,10 @@ TEST(DrawErrors, SayTheLineTheCommandAndWhatIsWrong) {
        "line 2: font: no font 'comic'; there are fixed_5x8 fixed_6x13 sans_11 digits_16 digits_28 digits_48"},
       {"S\ntext 1 1 hello", "line 2: text: the text must stand in quotes, not 'hello'"},
       {"S\ntext 1 1", "line 2: text: text is missing"},
-      {"S\ntext 1 1 \"a\" \"b\"", "line 2: text: 'b' is one argument too many"},
+      {"S\ntext 1 1 \"a\" \"left\"", "line 2: text: the alignment must be left, centre or right, not 'left'"},
+      {"S\ntext 1 1 \"a\" left up",
+       "line 2: text: the base line must be top, middle, baseline or bottom, not 'up'"},
+      {"S\ntext 1 1 \"a\" left top \"b\"", "line 2: text: 'b' is one argument too many"},
       {"S\ntext 1 1 \"a", "line 2: the quote doesn't end on this line"},
       {"S\ntext 1 1 \"a\\", "line 2: a backslash in quotes must stand before \", \\ or n"},
       {"S\ntext 1 1 \"\\t\"", "line 2: a backslash in quotes must stand before \", \\ or n"},

@@ -104,8 +104,12 @@ using App = TunedGauges<intaglio::image::Indexed8, Knobs>;
 }  // namespace
 
 Scene gauges() noexcept {
-  return KnobScene<App<DefaultKnobs>, App<FinestKnobs>, App<TurnedKnobs>, turn>::scene("gauges", knobs, parts,
-                                                                                       settings);
+  return {"gauges",
+          knobs,
+          parts,
+          settings,
+          {Stage<App<TurnedKnobs>>::program(), gauges_as_it_is(), gauges_finest()},
+          turn};
 }
 
 }  // namespace lab::frames

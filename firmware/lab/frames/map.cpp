@@ -60,8 +60,8 @@ using App = TunedMap<intaglio::image::Indexed8, Knobs>;
 
 // As it is, the map is at its finest.
 Scene map() noexcept {
-  return KnobScene<App<DefaultKnobs>, App<DefaultKnobs>, App<TurnedKnobs>, turn>::scene("map", knobs, parts,
-                                                                                        settings);
+  return {"map", knobs, parts, settings, {Stage<App<TurnedKnobs>>::program(), map_as_it_is(), map_as_it_is()},
+          turn};
 }
 
 }  // namespace lab::frames

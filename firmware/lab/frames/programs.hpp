@@ -12,4 +12,9 @@ namespace lab::frames {
 [[nodiscard]] Scene primitives() noexcept;
 [[nodiscard]] Scene testcard() noexcept;
 
+/// Programs with their knobs as constants.
+[[nodiscard]] Program gauges_as_it_is() noexcept;
+[[nodiscard]] Program gauges_finest() noexcept;
+[[nodiscard]] Program map_as_it_is() noexcept;
+
 }  // namespace lab::frames

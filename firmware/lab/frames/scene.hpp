@@ -5,7 +5,7 @@
 // Rule: a scene is a program at 320x240 pixels of 8 bits with 256 palette entries, a list of knobs, and
 // *settings*: a choice for each knob. A program's knobs are constants of its type; here they are variables,
 // so that one copy of the program has all settings. The standard and the finest setting are there as
-// constants, too, so that one sees that this makes no difference.
+// constants, too, each alone in its file as in a board's image: they show what variables cost more.
 //
 // All settings are more than can be counted. But a frame is made of parts, and each part asks a few of the
 // knobs; knobs that no part asks together can't change what the other costs. So counted are all combinations
@@ -116,19 +116,69 @@ struct Settings {
   return settings;
 }
 
+/// What scenes draw on.
+[[nodiscard]] intaglio::image::Surface<intaglio::image::Indexed8> canvas() noexcept;
+
+/// Room for one program.
+inline constexpr std::size_t room_bytes = std::size_t{144} * 1024;
+[[nodiscard]] void* room() noexcept;
+
+/// A program as it lies in an image: what begins it in the room, a frame of it, and that frame's colours.
+struct Program {
+  void (*start)() noexcept = nullptr;
+  intaglio::Status (*draw)(std::uint32_t frame) noexcept = nullptr;
+  std::span<const std::uint8_t> (*palette)() noexcept = nullptr;
+};
+
+/// A program in the room. What is to be counted as a board runs it is made in a file of its own: the compiler
+/// inlines a function into its only caller, but not into two, so beside another copy of the program it would
+/// be dearer.
+template <class App>
+class Stage {
+ public:
+  static_assert(sizeof(App) <= room_bytes);
+  [[nodiscard]] static constexpr Program program() noexcept { return {&start, &draw, &palette}; }
+
+ private:
+  static void start() noexcept { app = std::construct_at(static_cast<App*>(room()), screen); }
+  static intaglio::Status draw(std::uint32_t frame) noexcept {
+    app->update(frame);
+    return app->draw(canvas());
+  }
+  static std::span<const std::uint8_t> palette() noexcept { return app->palette(); }
+
+  static inline constinit App* app = nullptr;
+};
+
+namespace detail {
+/// Which program is in the room.
+inline constinit Program in_room{};
+}  // namespace detail
+
 /// A program to look at.
 struct Scene {
   std::string_view name;
   std::span<const Knob> knobs{};
   std::span<const Part> parts{};
   Settings settings{};
+  /// With its knobs as variables, with them as constants, and with those at their finest.
+  std::array<Program, 3> programs{};
+  /// Sets the knobs that are variables.
+  void (*turn)(const Setting& setting) noexcept = nullptr;
+
   /// Begins with a setting; `fixed`: 0 takes its choices, 1 is the program with its knobs as constants, 2 the
   /// finest.
-  void (*start)(const Setting& setting, int fixed) noexcept = nullptr;
-  /// A frame on `canvas()`: this is what is counted.
-  intaglio::Status (*draw)(std::uint32_t frame) noexcept = nullptr;
+  void start(const Setting& setting, int fixed) const noexcept {
+    if (turn != nullptr) turn(setting);
+    detail::in_room = programs[static_cast<std::size_t>(fixed)];
+    detail::in_room.start();
+  }
+  /// A frame on `canvas()` of what has begun: this is what is counted.
+  [[nodiscard]] intaglio::Status draw(std::uint32_t frame) const noexcept {
+    return detail::in_room.draw(frame);
+  }
   /// The colours of that frame.
-  std::span<const std::uint8_t> (*palette)() noexcept = nullptr;
+  [[nodiscard]] std::span<const std::uint8_t> palette() const noexcept { return detail::in_room.palette(); }
 
   /// How many variants there are as constants: the standard one, and with knobs the finest.
   [[nodiscard]] constexpr int fixed_count() const noexcept { return knobs.empty() ? 1 : 2; }
@@ -146,70 +196,11 @@ struct Scene {
 /// All scenes. They share a canvas and the room that a program lives in.
 [[nodiscard]] std::span<const Scene> scenes() noexcept;
 
-/// What scenes draw on.
-[[nodiscard]] intaglio::image::Surface<intaglio::image::Indexed8> canvas() noexcept;
-
-/// Room for one program.
-inline constexpr std::size_t room_bytes = std::size_t{144} * 1024;
-[[nodiscard]] void* room() noexcept;
-
-/// A program in the room.
-template <class App>
-class Stage {
- public:
-  static_assert(sizeof(App) <= room_bytes);
-  static void start() noexcept { app = std::construct_at(static_cast<App*>(room()), screen); }
-  static intaglio::Status draw(std::uint32_t frame) noexcept {
-    app->update(frame);
-    return app->draw(canvas());
-  }
-  static std::span<const std::uint8_t> palette() noexcept { return app->palette(); }
-
- private:
-  static inline constinit App* app = nullptr;
-};
-
 /// A scene without knobs.
 template <class App>
 [[nodiscard]] constexpr Scene plain_scene(std::string_view name) noexcept {
-  return {name,
-          {},
-          {},
-          {},
-          [](const Setting& /*setting*/, int /*fixed*/) noexcept { Stage<App>::start(); },
-          &Stage<App>::draw,
-          &Stage<App>::palette};
+  constexpr Program program = Stage<App>::program();
+  return {name, {}, {}, {}, {program, program, program}};
 }
-
-/// A scene with knobs: `App<Knobs>` where Knobs are those of the program, the finest ones, and variables that
-/// `turn` sets.
-template <class Standard, class Finest, class Turned, void (*turn)(const Setting&) noexcept>
-class KnobScene {
- public:
-  static void start(const Setting& setting, int fixed) noexcept {
-    chosen_fixed = fixed;
-    turn(setting);
-    if (fixed == 1) Stage<Standard>::start();
-    if (fixed == 2) Stage<Finest>::start();
-    if (fixed == 0) Stage<Turned>::start();
-  }
-  static intaglio::Status draw(std::uint32_t frame) noexcept {
-    return chosen_fixed == 1   ? Stage<Standard>::draw(frame)
-           : chosen_fixed == 2 ? Stage<Finest>::draw(frame)
-                               : Stage<Turned>::draw(frame);
-  }
-  static std::span<const std::uint8_t> palette() noexcept {
-    return chosen_fixed == 1   ? Stage<Standard>::palette()
-           : chosen_fixed == 2 ? Stage<Finest>::palette()
-                               : Stage<Turned>::palette();
-  }
-  static constexpr Scene scene(std::string_view name, std::span<const Knob> knobs,
-                               std::span<const Part> parts, const Settings& settings) noexcept {
-    return {name, knobs, parts, settings, &start, &draw, &palette};
-  }
-
- private:
-  static inline constinit int chosen_fixed = 0;
-};
 
 }  // namespace lab::frames

@@ -5,17 +5,17 @@ Answers from the shipped table of frames. The dearest frame has to fit. Cycles a
 instruction.
 """
 import frames
-from choose import one_of
-from cores import CORES, core_called
+from choose import core_of, one_of
+from frames import Cost
 from measure import Failure
+from table import Row, Rows
 
 
-def budget(rows, app, core, mhz, fps, cycles_per_instruction=None):
+def budget(rows: Rows, app: str, core: str, mhz: float, fps: float,
+           cycles_per_instruction: float | None = None) -> tuple[bool, str]:
     """(whether it fits as it is, the answer in words)."""
     app = one_of(app, list(dict.fromkeys(row["app"] for row in rows)), "program")
-    found = core_called(core)
-    if found is None:
-        one_of(core, list(CORES), "core")
+    found = core_of(core)
     for name, number in (("--mhz", mhz), ("--fps", fps), ("--cycles-per-instruction", cycles_per_instruction)):
         if number is not None and not 0 < number < float("inf"):
             raise Failure(f"{name} is a number above 0")
@@ -23,7 +23,7 @@ def budget(rows, app, core, mhz, fps, cycles_per_instruction=None):
     if not rivals:
         raise Failure(f"the table has no frames of {app} on {found.name}")
 
-    def cycles(row):
+    def cycles(row: Row) -> float:
         return found.cycles(row) if cycles_per_instruction is None else (
             float(row["instructions"]) * cycles_per_instruction)
 
@@ -38,29 +38,29 @@ def budget(rows, app, core, mhz, fps, cycles_per_instruction=None):
     return fits, "\n".join(lines)
 
 
-def _error(row, rivals):
+def _error(row: Row, rivals: Rows) -> str:
     return f", {_accuracy(row)}" if len(rivals) > 1 else ""
 
 
-def _accuracy(row):
+def _accuracy(row: Row) -> str:
     return f"{float(row['error_mean']):.2f} CIE76 from the finest picture"
 
 
-def _share(part, room):
+def _share(part: float, room: float) -> str:
     return f"{100 * part / room:.0f} %"
 
 
-def _move(row, standard, cycles, room):
+def _move(row: Row, standard: Row, cycles: Cost, room: float) -> str:
     spent = cycles(row)
     verdict = f"{_share(room - spent, room)} left" if spent <= room else f"{spent / room:.2f} times too much"
     return f"  {frames.changes(row, standard)}: {spent:,.0f} cycles, {verdict}, {_accuracy(row)}"
 
 
-def _by_loss(found, cycles):
+def _by_loss(found: Rows, cycles: Cost) -> Rows:
     return sorted(found, key=lambda row: (float(row["error_mean"]), cycles(row)))
 
 
-def _fitting(rivals, cycles, room):
+def _fitting(rivals: Rows, cycles: Cost, room: float) -> list[str]:
     standard = frames.standard_of(rivals)
     lines = [f"It fits: {_share(room - cycles(standard), room)} of the time is left."]
     finer = _by_loss([row for row in rivals if cycles(row) <= room and
@@ -70,7 +70,7 @@ def _fitting(rivals, cycles, room):
     return lines
 
 
-def _too_dear(rivals, cycles, room):
+def _too_dear(rivals: Rows, cycles: Cost, room: float) -> list[str]:
     standard = frames.standard_of(rivals)
     lines = [f"It doesn't fit: {cycles(standard) / room:.2f} times as much as there is time for."]
     if len(rivals) == 1:
@@ -93,5 +93,5 @@ def _too_dear(rivals, cycles, room):
     return lines
 
 
-def _loss(row, standard):
+def _loss(row: Row, standard: Row) -> float:
     return float(row["error_mean"]) - float(standard["error_mean"])

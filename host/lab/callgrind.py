@@ -24,11 +24,12 @@ def kinds_of(listing: str) -> dict[int, int]:
     return found
 
 
-def counts(dump: str, kinds_in: Callable[[str], dict[int, int]]) -> tuple[int, int, int, int, int]:
+def counts(dump: str, kinds_in: Callable[[str], dict[int, int]]) -> tuple[int, ...]:
     """(instructions, loads, stores, multiplies, divides). `kinds_in(object)`: as kinds_of() says it of an object file."""
-    instructions, loads, stores = map(int, re.search(r"^totals: (\d+) (\d+) (\d+)", dump, re.MULTILINE).groups())
+    (instructions, loads, stores), = re.findall(r"^totals: (\d+) (\d+) (\d+)", dump, re.MULTILINE)
     special = [0, 0]
-    kinds, seen, of_callee = {}, 0, False
+    kinds: dict[int, int] = {}
+    seen, of_callee = 0, False
     for line in dump.splitlines():
         if line.startswith("0x"):
             # The line after `calls=` says what the callee took, which stands at the callee's own instructions, too.
@@ -43,6 +44,6 @@ def counts(dump: str, kinds_in: Callable[[str], dict[int, int]]) -> tuple[int, i
             kinds = kinds_in(line.removeprefix("ob="))
         elif line.startswith("calls="):
             of_callee = True
-    if seen != instructions:
+    if seen != int(instructions):
         raise ValueError(f"callgrind's instructions are {seen}, their total is {instructions}")
-    return (instructions, loads, stores, *special)
+    return (int(instructions), int(loads), int(stores), *special)

@@ -8,6 +8,13 @@ import matplotlib
 matplotlib.use("svg")
 import matplotlib.pyplot as plt  # noqa: E402  (the back end has to be chosen first)
 
+from matplotlib.axes import Axes  # noqa: E402
+from matplotlib.figure import Figure  # noqa: E402
+
+from table import Rows  # noqa: E402
+
+# Left, bottom, right, top.
+Box = tuple[float, float, float, float]
 # Drawn in these, replaced by what they stand for on the page.
 INK, FAINT, ACCENT, SECOND, PAPER = "#010203", "#040506", "#070809", "#0a0b0c", "#0d0e0f"
 _VARIABLES = {INK: "var(--ink)", FAINT: "var(--faint)", ACCENT: "var(--accent)", SECOND: "var(--second)",
@@ -23,7 +30,7 @@ plt.rcParams.update({
 })
 
 
-def svg_of(figure, title, standalone=False):
+def svg_of(figure: Figure, title: str, standalone: bool = False) -> str:
     """A figure's SVG. On its own it brings its colours along."""
     buffer = io.StringIO()
     figure.savefig(buffer, format="svg", transparent=True, bbox_inches="tight", metadata={"Date": None, "Title": title})
@@ -46,7 +53,7 @@ def svg_of(figure, title, standalone=False):
     return text
 
 
-def _short(number):
+def _short(number: float) -> str:
     """A few characters: 0.02, 5, 200, 50k, 2M."""
     for limit, unit in ((1e6, "M"), (1e3, "k")):
         if number >= limit:
@@ -54,7 +61,7 @@ def _short(number):
     return f"{number:.3g}"
 
 
-def _finish_costs(axes, costs):
+def _finish_costs(axes: Axes, costs: list[float]) -> None:
     """A logarithmic axis with a few plain numbers on it."""
     axes.set_xscale("log")
     low, high = min(costs) / 1.4, max(costs) * 1.4
@@ -73,13 +80,13 @@ def _finish_costs(axes, costs):
 _PLACES = ((4, 4), (4, -10), (-9, 4), (-9, -10), (-2, 7), (-2, -13), (7, -3), (-12, -3))
 
 
-def _covered(box, other):
+def _covered(box: Box, other: Box) -> float:
     """The area that two boxes (left, bottom, right, top) share."""
     return (max(0, min(box[2], other[2]) - max(box[0], other[0])) *
             max(0, min(box[3], other[3]) - max(box[1], other[1])))
 
 
-def _number(axes, points):
+def _number(axes: Axes, points: list[tuple[int, float, float]]) -> None:
     """Numbers beside their points, (number, x, y), each where it covers least of the points and the other numbers."""
     scale = 72 / axes.figure.dpi
     centres = [axes.transData.transform((x, y)) * scale for _, x, y in points]
@@ -93,7 +100,7 @@ def _number(axes, points):
         axes.annotate(str(number), (x, y), xytext=place, textcoords="offset points")
 
 
-def scatter(axes, points, unit, per):
+def scatter(axes: Axes, points: list[tuple[int, float, float, bool]], unit: str, per: str) -> None:
     """Cost against worst error. `points`: (number, cost, error, dominated). What is exact lies on the lowest line;
     what is dominated is hollow; the line is the staircase of what is left."""
     inexact = [error for _, _, error, _ in points if error > 0]
@@ -122,7 +129,7 @@ def scatter(axes, points, unit, per):
     axes.set_ylabel(f"worst error,\n{unit}")
 
 
-def family_chart(rivals, per, title):
+def family_chart(rivals: Rows, per: str, title: str) -> str:
     """The chart of one family, core and load; rivals in the order of their numbers."""
     figure, axes = plt.subplots(figsize=(3.3, 2.3))
     points = [(number, float(row["instructions"]), float(row["worst"]), bool(row["dominated_by"]))
@@ -131,7 +138,7 @@ def family_chart(rivals, per, title):
     return svg_of(figure, title)
 
 
-def turning_chart(families):
+def turning_chart(families: list[tuple[str, str, str, list[tuple[str, float, float]]]]) -> str:
     """README's chart: for families whose ranking turns round, each rung's cost on two cores, joined by a line.
     `families`: (title, left core, right core, [(rung, left cost, right cost)])."""
     figure, all_axes = plt.subplots(1, len(families), figsize=(3.0 * len(families), 3.2))

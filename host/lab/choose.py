@@ -5,11 +5,12 @@ import re
 import typing
 
 import table
-from cores import CORES, core_called
+from cores import CORES, Core, core_called
 from measure import Failure
+from table import Row, Rows
 
 
-def one_of(name, known, what):
+def one_of(name: str, known: list[str], what: str) -> str:
     """`name` if it is known; else a Failure that says what is like it."""
     if name in known:
         return name
@@ -18,7 +19,12 @@ def one_of(name, known, what):
     raise Failure(f"no {what} '{name}'; " + (f"did you mean '{like[0]}'?" if like else f"there are {named}"))
 
 
-def parsed_error(text, unit):
+def core_of(name: str) -> Core:
+    """The core of that name; a Failure if there is none."""
+    return core_called(name) or CORES[one_of(name, list(CORES), "core")]
+
+
+def parsed_error(text: str, unit: str) -> float:
     """The number in `2lsb`, `0.5` or `12ppm`; the unit, if any, must be how the family's unit begins or one of its
     words."""
     match = re.fullmatch(r"\s*(\d+(?:\.\d*)?|\.\d+)\s*(.*?)\s*", text)
@@ -31,30 +37,27 @@ def parsed_error(text, unit):
     return float(match[1])
 
 
-def _within(rows, wanted):
+def _within(rows: Rows, wanted: float) -> Rows:
     return [row for row in rows if float(row["bound"]) <= wanted]
 
 
-def _cheapest(rows):
+def _cheapest(rows: Rows) -> Row:
     return min(rows, key=lambda row: (float(row["instructions"]), float(row["bound"])))
 
 
 class Answer(typing.NamedTuple):
     """What was chosen under a load, and what matters beside it."""
-    chosen: dict
-    rivals: list  # the rows that compete: of the load
-    loads: list  # of the family
-    elsewhere: list  # the chosen rung's rows of other loads under which it isn't within the error asked for
-    anywhere: dict | None  # the cheapest that is within it under every load, if that is another and no load was asked for
+    chosen: Row
+    rivals: Rows  # the rows that compete: of the load
+    loads: list[str]  # of the family
+    elsewhere: Rows  # the chosen rung's rows of other loads under which it isn't within the error asked for
+    anywhere: Row | None  # the cheapest that is within it under every load, if that is another and no load was asked for
 
 
-def choose(rows, family, core, error, load=None):
+def choose(rows: Rows, family: str, core: str, error: str, load: str | None = None) -> Answer:
     """The answer for a family on a core; a Failure names the best there is if no rung meets the bound."""
     family = one_of(family, sorted({row["family"] for row in rows}), "family")
-    found = core_called(core)
-    if found is None:
-        one_of(core, list(CORES), "core")
-    of_core = [row for row in rows if row["family"] == family and row["core"] == found.name]
+    of_core = [row for row in rows if row["family"] == family and row["core"] == core_of(core).name]
     loads = list(dict.fromkeys(row["metric"] for row in of_core))
     asked, load = load, loads[0] if load is None else one_of(load, loads, "load")
     rivals = [row for row in of_core if row["metric"] == load]
@@ -71,10 +74,10 @@ def choose(rows, family, core, error, load=None):
     return Answer(chosen, rivals, loads, [] if asked else elsewhere, anywhere)
 
 
-def described(answer, domains=None):
+def described(answer: Answer, domains: dict[str, str] | None = None) -> str:
     """An answer in words: the rung, what a step up or down the staircase would cost or save, and under which loads it is
     less accurate. `domains`: which inputs a rung takes, where it isn't all."""
-    def figures(row):
+    def figures(row: Row) -> str:
         return (f"{row['rung']}: {_error(row)}, {row['instructions']} instructions, "
                 f"{row['code_bytes']} bytes of code, {row['table_bytes']} of tables" +
                 (f"; for {domains[row['rung']]}" if domains and domains.get(row["rung"]) else ""))
@@ -97,5 +100,5 @@ def described(answer, domains=None):
     return "\n".join(lines)
 
 
-def _error(row):
+def _error(row: Row) -> str:
     return "exact" if float(row["bound"]) == 0 else f"at most {float(row['bound']):,.7g} {row['unit']}"

@@ -21,17 +21,17 @@ class Core(typing.NamedTuple):
     name: str
     title: str
     divider: bool
-    machine: tuple
+    machine: tuple[str, ...]
     isa: str
     tools: str
-    flags: tuple
+    flags: tuple[str, ...]
     model: Model
 
     @property
-    def build(self):
+    def build(self) -> Path:
         return ROOT / "build" / (self.name if self.machine else "host-release")
 
-    def cycles(self, row):
+    def cycles(self, row: dict[str, str]) -> float:
         """Modelled cycles of a row's counts."""
         model = self.model
         return (float(row["instructions"]) + model.load * float(row["loads"]) + model.store * float(row["stores"]) +
@@ -42,7 +42,7 @@ _ARM = "arm-none-eabi-"
 _RISCV = "riscv64-unknown-elf-"
 
 
-def _arm(machine):
+def _arm(machine: str) -> tuple[str, ...]:
     return ("qemu-system-arm", "-M", machine)
 
 
@@ -67,6 +67,6 @@ CORES = {core.name: core for core in (
 )}
 
 
-def core_called(name):
+def core_called(name: str) -> Core | None:
     """A core by its name; an M0 runs what an M0+ does."""
     return CORES.get({"cortex-m0": "cortex-m0plus"}.get(name, name))

@@ -7,12 +7,17 @@ the standard one. `counted` says whether a setting was counted or is a sum of co
 those are kept that no setting beats.
 """
 import csv
+import functools
 import json
+from pathlib import Path
+from typing import Callable
 
 import sums
 import table
-from cores import ROOT
+from cores import ROOT, Core
 from measure import COUNTED, HOST, Failure, count, count_key, run
+from table import Row, Rows
+from work import Work
 
 COLUMNS = ["app", "setting", "core", "frame", *COUNTED, "mean_instructions", "stack_bytes", "error_mean", "error_worst",
            "wrong_ppm", "counted"]
@@ -20,28 +25,30 @@ BASELINE = ROOT / "host/lab/baseline/frames.csv"
 # Knobs as variables may cost so much more than as constants in the finest setting, beyond what they do in the standard.
 VARIABLES_COST = 1.05
 _FAULT = 1 << 31
+Setting = dict[str, str]
+Cost = Callable[[Row], float]
 
 
-def scenes(work):
+def scenes(work: Work) -> list[dict]:
     """What lab-scenes says: programs, knobs, variants, errors."""
     program = HOST / "bin/lab-scenes"
     return work.do("frames' pictures", {"scenes": (("scenes", work.hash_of(program)),
                                                    lambda: json.loads(run(program, "list")))})["scenes"]
 
 
-def setting_text(setting):
+def setting_text(setting: Setting) -> str:
     return " ".join(f"{knob}={choice}" for knob, choice in setting.items()) or "standard"
 
 
-def parsed_setting(text):
+def parsed_setting(text: str) -> Setting:
     return dict(part.split("=", 1) for part in text.split()) if "=" in text else {}
 
 
-def rows_of(work, cores):
+def rows_of(work: Work, cores: list[Core]) -> tuple[Rows, list[dict]]:
     """(rows, scenes) measured. Fails if cores draw other frames than the desk does."""
     described = scenes(work)
     counted = work.do("frames", {
-        core.name: (count_key(work, core, "lab-frames"), lambda core=core: count(core, "lab-frames"))
+        core.name: (count_key(work, core, "lab-frames"), functools.partial(count, core, "lab-frames"))
         for core in cores})
     rows = []
     for core in cores:
@@ -126,19 +133,19 @@ def _check_variables(core, row, constants):
         raise Failure(f"{core.name}: {row['app']}, {row['setting']}: knobs as variables cost {larger:.3f} times as much")
 
 
-def of(rows, app, core):
+def of(rows: Rows, app: str, core: str) -> Rows:
     """The rows of a program on a core, the standard one first."""
     return [row for row in rows if row["app"] == app and row["core"] == core]
 
 
-def standard_of(rivals):
+def standard_of(rivals: Rows) -> Row:
     return rivals[0]
 
 
-def alone(rivals):
+def alone(rivals: Rows) -> dict[str, list[tuple[str, Row]]]:
     """By knob: the rows in which it alone is turned, with its choice."""
     standard = parsed_setting(rivals[0]["setting"])
-    found = {knob: [] for knob in standard}
+    found: dict[str, list[tuple[str, Row]]] = {knob: [] for knob in standard}
     for row in rivals[1:]:
         turned = [(knob, choice) for knob, choice in parsed_setting(row["setting"]).items() if standard[knob] != choice]
         if len(turned) == 1:
@@ -146,28 +153,28 @@ def alone(rivals):
     return found
 
 
-def _instructions(row):
+def _instructions(row: Row) -> float:
     return float(row["instructions"])
 
 
-def front(rivals, cost=_instructions):
+def front(rivals: Rows, cost: Cost = _instructions) -> Rows:
     """The rows that none beats in both cost and mean error, cheapest first."""
     points = sorted(rivals, key=lambda row: (cost(row), float(row["error_mean"])))
-    stairs = []
+    stairs: Rows = []
     for row in points:
         if not stairs or float(row["error_mean"]) < float(stairs[-1]["error_mean"]):
             stairs.append(row)
     return stairs
 
 
-def changes(row, standard):
+def changes(row: Row, standard: Row) -> str:
     """How a row's setting differs from the standard one, in words."""
     usual = parsed_setting(standard["setting"])
     turned = [f"{knob} = {choice}" for knob, choice in parsed_setting(row["setting"]).items() if usual[knob] != choice]
     return ", ".join(turned) or "as it is"
 
 
-def write(path, rows):
+def write(path: Path, rows: Rows) -> None:
     path.parent.mkdir(parents=True, exist_ok=True)
     with path.open("w", newline="") as file:
         writer = csv.DictWriter(file, COLUMNS, lineterminator="\n")
@@ -175,12 +182,12 @@ def write(path, rows):
         writer.writerows(rows)
 
 
-def read(path=BASELINE):
+def read(path: Path = BASELINE) -> Rows:
     with path.open(newline="") as file:
         return list(csv.DictReader(file))
 
 
-def grown(rows, baseline):
+def grown(rows: Rows, baseline: Rows) -> list[str]:
     """Frames that cost more than in the baseline, look different from it, or aren't in it."""
     def key(row):
         return row["app"], row["setting"], row["core"]

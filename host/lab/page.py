@@ -2,8 +2,9 @@
 """The lab's report: one page of HTML with all charts, tables and pictures in it."""
 import base64
 import io
-import subprocess
+import itertools
 import tempfile
+import typing
 from pathlib import Path
 
 import jinja2
@@ -11,74 +12,85 @@ from PIL import Image, ImageChops
 
 import charts
 from cores import CORES
+from measure import run
+from table import Row, Rows
 
 TEMPLATE = Path(__file__).resolve().parent / "report.html.jinja"
 SHOWN_FIRST = ("cortex-m0plus", "cortex-m3")
 
 
-def cycles(row):
+def cycles(row: Row) -> float:
     """Modelled cycles."""
     return CORES[row["core"]].cycles(row)
 
 
-def turns(rows, factor=1.3):
-    """Pairs of rungs whose order turns round between two cores: the most telling pair of each family.
-    (family, load, rung cheaper on the first core, rung cheaper on the second, first, second, costs)."""
-    costs, worst = {}, {}
+class Turn(typing.NamedTuple):
+    """A pair of rungs whose order turns round between two cores."""
+    family: str
+    load: str
+    here: str  # the core on which `cheaper` is
+    there: str  # where `other` is
+    cheaper: str
+    other: str
+    costs_here: tuple[float, float]  # of both
+    costs_there: tuple[float, float]
+
+
+def turns(rows: Rows, factor: float = 1.3) -> list[Turn]:
+    """The most telling pair of each family, those that turn most first."""
+    costs: dict[tuple[str, str], dict[str, dict[str, float]]] = {}
+    worst = {}
     for row in rows:
         key = row["family"], row["metric"]
         costs.setdefault(key, {}).setdefault(row["rung"], {})[row["core"]] = float(row["instructions"])
         worst[key, row["rung"]] = float(row["worst"])
-    best = {}
-    cores = [name for name in CORES if name != "x86-64"]
+    best: dict[str, tuple[float, Turn]] = {}
     for (family, load), rungs in costs.items():
-        for a, of_a in rungs.items():
-            for b, of_b in rungs.items():
-                for first in cores:
-                    for second in cores:
-                        if not all(core in of for core in (first, second) for of in (of_a, of_b)):
-                            continue
-                        if min(of_a[first], of_b[second]) <= 0:
-                            continue
-                        gain = min(of_b[first] / of_a[first], of_a[second] / of_b[second])
-                        # Of rungs equally good it matters most.
-                        weight = gain * (2 if worst[(family, load), a] == worst[(family, load), b] else 1)
-                        if gain >= factor and weight > best.get(family, (0,))[0]:
-                            best[family] = (weight, load, a, b, first, second, of_a[first], of_b[first], of_a[second],
-                                            of_b[second])
-    return sorted(((family, *found[1:]) for family, found in best.items()),
-                  key=lambda found: -found[7] / found[6] * found[8] / found[9])
+        for (a, of_a), (b, of_b) in itertools.permutations(rungs.items(), 2):
+            cores = [name for name in CORES if name != "x86-64" and min(of_a.get(name, 0), of_b.get(name, 0)) > 0]
+            for here, there in itertools.permutations(cores, 2):
+                gain = min(of_b[here] / of_a[here], of_a[there] / of_b[there])
+                # Of rungs equally good it matters most.
+                weight = gain * (2 if worst[(family, load), a] == worst[(family, load), b] else 1)
+                if gain >= factor and (family not in best or weight > best[family][0]):
+                    best[family] = weight, Turn(family, load, here, there, a, b, (of_a[here], of_b[here]),
+                                                (of_a[there], of_b[there]))
+
+    def turned(turn):
+        return turn.costs_here[1] / turn.costs_here[0] * turn.costs_there[0] / turn.costs_there[1]
+
+    return sorted((turn for _, turn in best.values()), key=turned, reverse=True)
 
 
-def figure(number):
+def figure(number: str | float) -> str:
     """A cost as a reader wants it: three digits or whole, thousands apart."""
     number = float(number)
     return f"{number:,.0f}" if number >= 100 else f"{number:.1f}" if number >= 10 else f"{number:.2f}"
 
 
-def digits(number):
+def digits(number: str | float) -> str:
     """An error in three digits, or whole."""
     number = float(number)
     return f"{number:,.0f}" if number >= 1000 else f"{number:.3g}"
 
 
-def by_value(of_keys):
+def by_value(of_keys: dict[str, str]) -> typing.Iterable[tuple[str, list[str]]]:
     """(value, its keys) of a dict."""
-    values = {}
+    values: dict[str, list[str]] = {}
     for key, value in of_keys.items():
         values.setdefault(value, []).append(key)
     return values.items()
 
 
-def png_data(image):
+def png_data(image: Image.Image) -> str:
     buffer = io.BytesIO()
     image.save(buffer, "png", optimize=True)
     return "data:image/png;base64," + base64.b64encode(buffer.getvalue()).decode()
 
 
-def cropped(drawn, margin=4, least=64):
+def cropped(drawn: dict[str, Image.Image], margin: int = 4, least: int = 64) -> dict[str, Image.Image]:
     """Pictures without what all of them leave empty, and small ones enlarged, pixel by pixel."""
-    boxes = [picture.getbbox() for picture in drawn.values() if picture.getbbox()]
+    boxes = [box for box in (picture.getbbox() for picture in drawn.values()) if box is not None]
     width, height = next(iter(drawn.values())).size
     left, top = (max(0, min(box[i] for box in boxes) - margin) for i in (0, 1))
     right = min(width, max(left + least, max(box[2] for box in boxes) + margin))
@@ -89,13 +101,13 @@ def cropped(drawn, margin=4, least=64):
             for rung, picture in drawn.items()}
 
 
-def pictures(family, load, rivals):
+def pictures(family: dict, load: str, rivals: Rows) -> list[dict]:
     """What each rung draws, and eight times the difference from the most accurate one; empty if nothing is drawn."""
     drawn = {}
     with tempfile.TemporaryDirectory() as folder:
         for row in rivals:
             file = Path(folder) / "picture.pgm"
-            subprocess.run([family["program"], "picture", row["rung"], load, file], check=True)
+            run(family["program"], "picture", row["rung"], load, file)
             if not file.exists():
                 return []
             drawn[row["rung"]] = Image.open(file).convert("L").copy()
@@ -110,35 +122,35 @@ def pictures(family, load, rivals):
     return shown
 
 
-def _family(family, rows):
+def _family(family: dict, rows: Rows) -> dict:
     """What the template needs of one family."""
     loads = []
     for load in family["loads"]:
+        of_load = [row for row in rows if row["metric"] == load["name"]]
         per_core = []
         for core in CORES.values():
-            rivals = [row for row in rows if row["core"] == core.name and row["metric"] == load["name"]]
+            rivals = [row for row in of_load if row["core"] == core.name]
             if not rivals:
                 continue
             title = f"{family['name']}, {load['name']}, {core.name}"
-            per_core.append({"core": core, "rows": [{**row, "cycles": cycles(row)} for row in rivals],
-                             "loop": rivals[0]["loop"],
-                             "open": core.name in SHOWN_FIRST,
+            per_core.append({"core": core, "rows": rivals, "loop": rivals[0]["loop"], "open": core.name in SHOWN_FIRST,
                              "chart": charts.family_chart(rivals, family["per"], title)})
-        shown = pictures(family, load["name"], per_core[0]["rows"]) if per_core else []
+        shown = pictures(family, load["name"], [row for row in of_load if row["core"] == of_load[0]["core"]])
         loads.append({**load, "cores": per_core, "pictures": shown})
     slack = {rung["name"]: rung["slack"] for rung in family["rungs"] if rung["slack"]}
     domains = {rung["name"]: rung["domain"] for rung in family["rungs"] if rung["domain"]}
     return {**family, "load_tables": loads, "slack": slack, "domains": domains}
 
 
-def write(path, families, rows, errors, fragments, compilers):
+def write(path: Path, families: dict[str, dict], rows: Rows, errors: dict[tuple, dict],
+          fragments: list[tuple[str, str, str]], compilers: list[str]) -> None:
     """Writes the report. `fragments`: (anchor, title, HTML) of further sections."""
-    points = {}
-    for (family, load, rung), error in errors.items():
+    points: dict[str, dict[str, str]] = {}
+    for (family, load, _), error in errors.items():
         points.setdefault(family, {})[load] = f"{error['points']:,} points: {error['how']}"
     environment = jinja2.Environment(loader=jinja2.FileSystemLoader(TEMPLATE.parent), autoescape=True,
                                      undefined=jinja2.StrictUndefined, trim_blocks=True, lstrip_blocks=True)
-    environment.filters.update(figure=figure, digits=digits, by_value=by_value)
+    environment.filters.update(cycles=cycles, figure=figure, digits=digits, by_value=by_value)
     titles = {name: family["title"] for name, family in families.items()}
     page = environment.get_template(TEMPLATE.name).render(
         families=[_family(family, [row for row in rows if row["family"] == name]) for name, family in families.items()],

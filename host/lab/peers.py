@@ -10,12 +10,15 @@ with -O2 where the build's INTAGLIO_LIBFIXMATH_SOURCE names it (`apt-get source 
 """
 import argparse
 import csv
+import functools
 import html
 import json
 import sys
+from pathlib import Path
 
 import measure
-from cores import CORES, ROOT
+from cores import CORES, ROOT, Core
+from table import Rows
 from work import Work
 
 BASELINE = ROOT / "host/lab/baseline/peers.csv"
@@ -37,7 +40,7 @@ WORK = ROOT / "build/lab"
 HERE = CORES["x86-64"]
 
 
-def _build():
+def _build() -> list[str]:
     """Builds what can be; the names of the builds that there are."""
     measure.build([])
     measure.run("cmake", "--build", measure.HOST, "--target", "lab-peers")
@@ -45,7 +48,7 @@ def _build():
     return [build for build in BUILDS if f"lab-peers-{build}:" in targets]
 
 
-def _images(build):
+def _images(build: str) -> list[tuple[Core, Path]]:
     """Builds a build's images of other cores; (core, image), none if there is no source of it."""
     variables = measure.run("cmake", "-L", "-N", measure.HOST)
     source = next((line.split("=", 1)[1] for line in variables.splitlines()
@@ -60,19 +63,19 @@ def _images(build):
     return images
 
 
-def _libraries(build):
+def _libraries(build: str) -> list[Path | str]:
     folder = measure.HOST / "host/lab/peers"
-    libfixmath = "-llibfixmath" if build == "package" else folder / f"libfixmath_{build}.a"
+    libfixmath: Path | str = "-llibfixmath" if build == "package" else folder / f"libfixmath_{build}.a"
     return [folder / f"liblab_peers_{build}.a", *measure.archives(HERE), libfixmath]
 
 
-def _measured(build, images, full):
+def _measured(build: str, images: list[tuple[Core, Path]], full: bool) -> Rows:
     """Rows of one build."""
     program = measure.HOST / f"bin/lab-peers-{build}"
     families = json.loads(measure.run(program, "errors", *(["--full"] if full else [])))
     counts = iter(measure.count_here(program, "count"))
     elsewhere = {core.name: iter(measure.count(core, image.name)) for core, image in images}
-    symbols = measure.kernels(HERE, _libraries(build)[0])
+    symbols = measure.kernels(HERE, Path(_libraries(build)[0]))
     rows = []
     for family in families:
         empty = measure.sections(HERE, symbols[family["type"], "Nothing"], _libraries(build))
@@ -95,16 +98,16 @@ def _measured(build, images, full):
     return rows
 
 
-def rows(work, full=True):
+def rows(work: Work, full: bool = True) -> Rows:
     """All rows: measured where libfixmath is there, and those of the baseline that can't be measured here."""
     pieces = {}
     for build in _build():
         images = _images(build)
         programs = [measure.HOST / f"bin/lab-peers-{build}", *(image for _, image in images)]
         pieces[build] = (("peers", *map(work.hash_of, programs), full),
-                         lambda build=build, images=images: _measured(build, images, full))
+                         functools.partial(_measured, build, images, full))
     measured = work.do("libfixmath", pieces)
-    found = {}
+    found: dict[tuple[str, ...], dict[str, str]] = {}
     # This library's own figures come from the first; a build that is the package's wasn't counted elsewhere.
     for build, of_build in sorted(measured.items(), key=lambda item: item[0] == "package"):
         for row in of_build:
@@ -124,18 +127,18 @@ def rows(work, full=True):
     return sorted(found.values(), key=lambda row: (order.index((row["job"], row["load"])), builds.index(row["build"])))
 
 
-def write(all_rows):
+def write(all_rows: Rows) -> None:
     with BASELINE.open("w", newline="") as file:
         written = csv.DictWriter(file, COLUMNS, lineterminator="\n")
         written.writeheader()
         written.writerows(all_rows)
 
 
-def _share(text):
+def _share(text: str) -> str:
     return f"{100 * float(text) / 65536:.2g} %"
 
 
-def html_fragment(all_rows):
+def html_fragment(all_rows: Rows) -> str:
     """The report's section."""
     others = "".join(f"<th>{core.title.partition(',')[0]}</th>" for core in ELSEWHERE)
     parts = ["""<p>libfixmath is a library of fixed-point numbers (16.16) for microcontrollers; Debian has it as
@@ -178,7 +181,7 @@ of 64 bits; its division and this library's cost about the same.</p>"""]
     return "\n".join(parts)
 
 
-def main():
+def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--accept", action="store_true", help="make it the baseline")
     arguments = parser.parse_args()

@@ -8,15 +8,16 @@ from PIL import Image, ImageChops
 
 import charts
 import frames
-from cores import CORES
+from cores import CORES, Core
 from measure import HOST, run
+from table import Rows
 
 plt = charts.plt
 SHOWN_FRAME = 420
 SHOWN_FIRST = ("cortex-m0plus", "cortex-m3")
 
 
-def tornado(rivals):
+def tornado(rivals: Rows) -> list[tuple[str, str, float, float]]:
     """[(knob, choice, instructions relative to the standard, mean error less the standard's)] of knobs alone."""
     standard = frames.standard_of(rivals)
     cost, error = float(standard["mean_instructions"]), float(standard["error_mean"])
@@ -24,10 +25,10 @@ def tornado(rivals):
             for knob, moves in frames.alone(rivals).items() for choice, row in moves]
 
 
-def tornado_chart(rivals, title):
+def tornado_chart(rivals: Rows, title: str) -> str:
     """Two bars a move: what it costs, and how the picture's error changes."""
     moves = tornado(rivals)
-    figure, (costs, errors) = plt.subplots(1, 2, sharey=True, figsize=(4.6, 0.2 * len(moves) + 0.6))
+    figure, (costs, errors) = plt.subplots(1, 2, sharey=True, figsize=(4.0, 0.2 * len(moves) + 0.6))
     places = range(len(moves))
     costs.barh(places, [100 * cost for _, _, cost, _ in moves], color=charts.ACCENT, height=0.6)
     errors.barh(places, [error for _, _, _, error in moves], color=charts.SECOND, height=0.6)
@@ -42,7 +43,7 @@ def tornado_chart(rivals, title):
     return charts.svg_of(figure, title)
 
 
-def front_chart(rivals, title):
+def front_chart(rivals: Rows, title: str) -> str:
     """All settings: cost against error. What none beats is filled and joined; the standard one is marked."""
     stairs = frames.front(rivals)
     figure, axes = plt.subplots(figsize=(3.6, 2.6))
@@ -62,13 +63,13 @@ def front_chart(rivals, title):
     return charts.svg_of(figure, title)
 
 
-def _picture(app, variant, folder):
+def _picture(app: str, variant: int, folder: str) -> Image.Image:
     file = Path(folder) / "frame.ppm"
     run(HOST / "bin/lab-scenes", "picture", app, variant, SHOWN_FRAME, file)
     return Image.open(file).convert("RGB").copy()
 
 
-def pictures(scene):
+def pictures(scene: dict) -> list[tuple[str, Image.Image, Image.Image | None]]:
     """(caption, picture, eight times how it differs from the finest) of the standard setting and each knob alone."""
     shown = []
     first = scene["variants"][scene["fixed"]]["setting"]
@@ -85,20 +86,21 @@ def pictures(scene):
     return shown
 
 
-def _figures(scene):
+def _figures(scene: dict) -> str:
     from page import png_data
 
     parts = []
     for caption, picture, difference in pictures(scene):
         parts.append(f'<figure><img alt="{html.escape(caption)}" src="{png_data(picture)}">'
-                     f"<figcaption>{html.escape(caption)}</figcaption></figure>")
+                     f"<figcaption>{html.escape(caption)}</figcaption>")
         if difference is not None:
-            parts.append(f'<figure><img alt="difference" src="{png_data(difference)}">'
-                         "<figcaption>difference from the finest, eight times</figcaption></figure>")
+            parts.append(f'<img alt="difference of {html.escape(caption)}" src="{png_data(difference)}">'
+                         "<figcaption>the difference from the finest, eight times</figcaption>")
+        parts.append("</figure>")
     return "".join(parts)
 
 
-def _programs_table(rows):
+def _programs_table(rows: Rows) -> str:
     lines = []
     for core in CORES.values():
         for app in dict.fromkeys(row["app"] for row in rows):
@@ -115,7 +117,7 @@ def _programs_table(rows):
             f"<th>divides</th><th>stack, bytes</th></tr>{''.join(lines)}</table></div>")
 
 
-def html_fragment(rows, scenes):
+def html_fragment(rows: Rows, scenes: list[dict]) -> str:
     """The section. `rows` and `scenes` as frames.rows_of() gives them."""
     parts = ["<p>Whole frames of the programs in firmware/apps, 320x240 pixels of 8 bits: state, palette and picture. "
              "Counts are those of the dearest of the frames looked at, and the mean of all. "
@@ -128,7 +130,7 @@ def html_fragment(rows, scenes):
         parts += [f"<li><b>{html.escape(knob['name'])}</b>: {html.escape(knob['explained'])}. As it is: "
                   f"{html.escape(knob['standard'])}; finest: {html.escape(knob['finest'])}.</li>" for knob in scene["knobs"]]
         parts.append("</ul><p>Error is the mean distance of all pixels' colours (CIE 1976 L*a*b*) from the same frames with "
-                     "every knob at its finest. Left: each knob turned alone, against the program as it is. Right: filled "
+                     "every knob at its finest. First: each knob turned alone, against the program as it is. Then: filled "
                      f"settings are beaten by none of all {len(scene['settings']):,} in both; hollow ones are others that "
                      "were counted. Knobs are constants of the program's type; counted is one copy in which they are "
                      "variables, less what that costs in the standard setting: all combinations of knobs that one part of "
@@ -148,7 +150,7 @@ def html_fragment(rows, scenes):
     return "\n".join(parts)
 
 
-def _front_table(core, rivals):
+def _front_table(core: Core, rivals: Rows) -> str:
     standard = frames.standard_of(rivals)
     lines = "".join(f'<tr><td>{html.escape(frames.changes(row, standard))}</td><td>{int(row["instructions"]):,}</td>'
                     f'<td>{core.cycles(row):,.0f}</td><td>{row["error_mean"]}</td><td>{row["error_worst"]}</td>'

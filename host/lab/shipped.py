@@ -2,6 +2,7 @@
 """The table of costs that ships with the library, for choices at compile time: firmware/intaglio/number/measured_costs.hpp."""
 from cores import CORES, ROOT
 from measure import Failure
+from table import Rows
 
 FILE = ROOT / "firmware/intaglio/number/measured_costs.hpp"
 
@@ -32,9 +33,10 @@ _END = """\
 """
 
 
-def text(rows):
+def text(rows: Rows) -> str:
     """The header that says what the rows say."""
-    costs, families = {}, {}
+    costs: dict[tuple[str, str], dict[str, int]] = {}
+    families: dict[str, str] = {}
     for row in rows:
         first_load = families.setdefault(row["family"], row["metric"])
         if row["metric"] == first_load:
@@ -53,5 +55,5 @@ def text(rows):
     return head + "\n".join(lines) + "\n" + _END
 
 
-def write(rows):
+def write(rows: Rows) -> None:
     FILE.write_text(text(rows))

@@ -1,28 +1,31 @@
 # SPDX-License-Identifier: MIT
 """What README.md shows of the lab: for each job the cheapest way that is as accurate as the library's own, on a core
 without a divider and on one with it; and where two ways change places between these cores."""
+from table import Row, Rows
+
 WITHOUT, WITH = "cortex-m0plus", "cortex-m3"
 
 
-def _by_job(rows):
+def _by_job(rows: Rows) -> dict[str, dict[str, Rows]]:
     """Rows of both cores under a family's first load: {family: {core: [rows]}}."""
-    first, jobs = {}, {}
+    first: dict[str, str] = {}
+    jobs: dict[str, dict[str, Rows]] = {}
     for row in rows:
         if row["core"] in (WITHOUT, WITH) and row["metric"] == first.setdefault(row["family"], row["metric"]):
             jobs.setdefault(row["family"], {}).setdefault(row["core"], []).append(row)
     return jobs
 
 
-def cheapest(rivals, error):
+def cheapest(rivals: Rows, error: float) -> Row:
     """The cheapest of these rows that promises to be off by no more than `error`."""
     return min((row for row in rivals if float(row["bound"]) <= error), key=lambda row: float(row["instructions"]))
 
 
-def exact_or(error, unit):
+def exact_or(error: float, unit: str) -> str:
     return "exact" if error == 0 else f"{error:.3g} {unit}"
 
 
-def turning(rows, factor=1.25):
+def turning(rows: Rows, factor: float = 1.25) -> list[tuple]:
     """Jobs whose two ways change places: [(family, error in words, on WITHOUT the cheaper way, on WITH the cheaper way,
     {way: (cost without, cost with)})], those that change most first."""
     found = []
@@ -43,7 +46,7 @@ def turning(rows, factor=1.25):
     return [entry[1:] for entry in sorted(found, reverse=True)]
 
 
-def table(rows, families):
+def table(rows: Rows, families: dict[str, dict]) -> list[list[str]]:
     """Lines (job, load, error, cheapest without a divider, cheapest with it), those that differ first. `families`: as in
     the baseline's families.json."""
     lines = []

@@ -1,17 +1,22 @@
 # SPDX-License-Identifier: MIT
 """The table of the accuracy lab: rows of accuracy.csv, who dominates whom, and comparison with a baseline."""
 import csv
+from pathlib import Path
+
+# A line of a table: texts by the columns' names.
+Row = dict[str, str]
+Rows = list[Row]
 
 COLUMNS = ["family", "rung", "core", "metric", "unit", "bound", "worst", "mean", "instructions", "loads", "stores",
            "multiplies", "divides", "code_bytes", "table_bytes", "stack_bytes", "worst_input", "dominated_by"]
 TOLERANCE = 1.01  # how much more instructions than in the baseline are no growth
 
 
-def _text(number):
+def _text(number: float) -> str:
     return f"{number:.6g}" if number != int(number) or abs(number) >= 1e6 else str(int(number))
 
 
-def rows_of(all_families, costs, errors):
+def rows_of(all_families: dict[str, dict], costs: dict[tuple, dict], errors: dict[tuple, dict]) -> Rows:
     """All rows, as dicts from column to text; `metric` is the load. Beside the columns each has `loop`, what the loop
     around the rung costs, which was subtracted."""
     rows = []
@@ -30,15 +35,15 @@ def rows_of(all_families, costs, errors):
     return rows
 
 
-def groups(rows):
+def groups(rows: Rows) -> dict[tuple[str, str, str], Rows]:
     """Rows that compete: of one family, core and load."""
-    grouped = {}
+    grouped: dict[tuple[str, str, str], Rows] = {}
     for row in rows:
         grouped.setdefault((row["family"], row["core"], row["metric"]), []).append(row)
     return grouped
 
 
-def note_dominated(rows):
+def note_dominated(rows: Rows) -> None:
     """Fills `dominated_by`: the cheapest rung that is no dearer and no less accurate, and better in one of both."""
     for rivals in groups(rows).values():
         points = [(float(row["instructions"]), float(row["worst"])) for row in rivals]
@@ -48,12 +53,12 @@ def note_dominated(rows):
             row["dominated_by"] = min(better)[1] if better else ""
 
 
-def front(rivals):
+def front(rivals: Rows) -> Rows:
     """The rows that no other dominates, cheapest first."""
     return sorted((row for row in rivals if not row["dominated_by"]), key=lambda row: float(row["instructions"]))
 
 
-def write(path, rows):
+def write(path: Path, rows: Rows) -> None:
     path.parent.mkdir(parents=True, exist_ok=True)
     with path.open("w", newline="") as file:
         table = csv.DictWriter(file, COLUMNS, lineterminator="\n", extrasaction="ignore")
@@ -61,18 +66,18 @@ def write(path, rows):
         table.writerows(rows)
 
 
-def read(path):
+def read(path: Path) -> Rows:
     with path.open(newline="") as file:
         return list(csv.DictReader(file))
 
 
-def key_of(row):
+def key_of(row: Row) -> tuple[str, str, str, str]:
     return row["family"], row["metric"], row["rung"], row["core"]
 
 
-def above_bound(rows):
+def above_bound(rows: Rows) -> list[str]:
     """What is wrong with rows whose error is above the stated bound; each error once, not once a core."""
-    said = {}
+    said: dict[tuple[str, ...], str] = {}
     for row in rows:
         if float(row["worst"]) > float(row["bound"]) * (1 + 1e-9):
             said.setdefault(key_of(row)[:3], f"{row['family']}, {row['rung']}, '{row['metric']}': an error of "
@@ -80,9 +85,9 @@ def above_bound(rows):
     return list(said.values())
 
 
-def loose(rows, all_families):
+def loose(rows: Rows, all_families: dict[str, dict]) -> list[str]:
     """Bounds more than twice the worst error, of rungs that don't say why."""
-    said = {}
+    said: dict[tuple[str, ...], str] = {}
     for row in rows:
         slack = next(rung["slack"] for rung in all_families[row["family"]]["rungs"] if rung["name"] == row["rung"])
         if not slack and float(row["worst"]) * 2 < float(row["bound"]):
@@ -91,7 +96,7 @@ def loose(rows, all_families):
     return list(said.values())
 
 
-def useless_defaults(rows, all_families):
+def useless_defaults(rows: Rows, all_families: dict[str, dict]) -> list[str]:
     """Defaults that are dominated on every core under every load."""
     found = []
     for family in all_families.values():
@@ -101,7 +106,7 @@ def useless_defaults(rows, all_families):
     return found
 
 
-def grown(rows, baseline):
+def grown(rows: Rows, baseline: Rows) -> list[str]:
     """Counts that have grown, and rows that the baseline lacks or has beside these."""
     before = {key_of(row): row for row in baseline}
     now = {key_of(row): row for row in rows}

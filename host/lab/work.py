@@ -10,24 +10,26 @@ import json
 import os
 import sys
 import time
+from pathlib import Path
+from typing import Any, Callable, Mapping
 
 
 class Work:
     """Does pieces and keeps their results in a folder."""
 
-    def __init__(self, folder, quiet=False):
+    def __init__(self, folder: Path, quiet: bool = False):
         self._folder = folder
         self._quiet = quiet
-        self._hashes = {}
+        self._hashes: dict[Path, str] = {}
         folder.mkdir(parents=True, exist_ok=True)
 
-    def hash_of(self, path):
+    def hash_of(self, path: Path) -> str:
         """The hash of a file's content, read once."""
         if path not in self._hashes:
             self._hashes[path] = hashlib.sha256(path.read_bytes()).hexdigest()
         return self._hashes[path]
 
-    def do(self, title, pieces):
+    def do(self, title: str, pieces: Mapping[Any, tuple[tuple, Callable[[], Any]]]) -> dict[Any, Any]:
         """Results of `pieces`, a dict from a name to (key, function without arguments), as a dict from names."""
         results, todo = {}, {}
         for name, (key, function) in pieces.items():
@@ -56,11 +58,11 @@ class Work:
             print(file=sys.stderr)
         return {name: results[name] for name in pieces}
 
-    def _say(self, text):
+    def _say(self, text: str) -> None:
         if not self._quiet:
             print(text, file=sys.stderr, flush=True)
 
-    def _progress(self, title, done, count, begun, name):
+    def _progress(self, title: str, done: int, count: int, begun: float, name: Any) -> None:
         if self._quiet:
             return
         seconds = time.monotonic() - begun

@@ -50,7 +50,8 @@ struct LineClipErrors {
                middle_y - y + between(-20'000, 20'000));
       }
     }
-    return std::to_string(count) + " random lines, of four one through a corner and one as long as can be";
+    return std::to_string(count) +
+           " random lines (mt19937_64, seed 1), of four one through a corner and one as long as can be";
   }
 
   template <class R>

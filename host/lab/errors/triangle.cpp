@@ -46,7 +46,8 @@ struct TriangleErrors {
       }
       visit(c);
     }
-    return "sides through pixel centres but for a bit, and " + std::to_string(count) + " random triangles";
+    return "sides through pixel centres but for a bit, and " + std::to_string(count) +
+           " random triangles (mt19937, seed 1)";
   }
 
   template <class R>

@@ -34,8 +34,8 @@ def tornado_chart(rivals: Rows, title: str) -> str:
     errors.barh(places, [error for _, _, _, error in moves], color=charts.SECOND, height=0.6)
     costs.set_yticks(list(places), [f"{knob} {choice}" for knob, choice, _, _ in moves])
     costs.invert_yaxis()
-    costs.set_xlabel("instructions, % more")
-    errors.set_xlabel("mean error more, CIE76")
+    costs.set_xlabel("instructions,\n% more")
+    errors.set_xlabel("mean error,\nCIE76 more")
     for axes in (costs, errors):
         axes.axvline(0, color=charts.INK, linewidth=0.6)
         axes.grid(True, axis="x")

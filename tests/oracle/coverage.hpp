@@ -16,11 +16,11 @@
 namespace oracle {
 
 /// Vertices (x, y) in 1/256 pixel.
-using RationalContour = std::vector<std::pair<mpq_class, mpq_class>>;
+using CutContour = std::vector<std::pair<mpq_class, mpq_class>>;
 
 /// Cuts a contour to the places where side * (coordinate - at) >= 0; coordinates as (x, y).
-inline RationalContour cut(const RationalContour& contour, bool along_x, int at, int side) {
-  RationalContour out;
+inline CutContour cut(const CutContour& contour, bool along_x, int at, int side) {
+  CutContour out;
   const auto distance = [&](const auto& p) {
     return mpq_class(((along_x ? p.first : p.second) - at) * side);
   };
@@ -39,7 +39,7 @@ inline RationalContour cut(const RationalContour& contour, bool along_x, int at,
 }
 
 /// The signed area of a contour in the square of pixel (x, y), in pixels.
-inline mpq_class signed_area(RationalContour part, int x, int y) {
+inline mpq_class signed_area(CutContour part, int x, int y) {
   part = cut(part, true, 256 * x - 128, 1);
   part = cut(part, true, 256 * x + 128, -1);
   part = cut(part, false, 256 * y - 128, 1);
@@ -57,7 +57,7 @@ inline mpq_class signed_area(RationalContour part, int x, int y) {
 inline mpq_class winding_area(const Contours& contours, int x, int y) {
   mpq_class sum = 0;
   for (const Contour& contour : contours) {
-    RationalContour part;
+    CutContour part;
     for (const auto p : contour) part.emplace_back(p.x, p.y);
     sum += signed_area(std::move(part), x, y);
   }

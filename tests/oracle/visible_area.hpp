@@ -14,10 +14,10 @@
 
 namespace oracle {
 
-using Pieces = std::vector<RationalContour>;
+using Pieces = std::vector<CutContour>;
 
 /// Twice the signed area.
-inline mpq_class twice_area(const RationalContour& contour) {
+inline mpq_class twice_area(const CutContour& contour) {
   mpq_class sum = 0;
   for (std::size_t i = 0; i < contour.size(); ++i) {
     const auto& a = contour[i];
@@ -28,9 +28,9 @@ inline mpq_class twice_area(const RationalContour& contour) {
 }
 
 /// The part of a convex piece to the left (-1) or right (1) of the line from a to b.
-inline RationalContour part_of(const RationalContour& piece, const std::pair<mpq_class, mpq_class>& a,
-                               const std::pair<mpq_class, mpq_class>& b, int side) {
-  RationalContour out;
+inline CutContour part_of(const CutContour& piece, const std::pair<mpq_class, mpq_class>& a,
+                          const std::pair<mpq_class, mpq_class>& b, int side) {
+  CutContour out;
   const auto distance = [&](const auto& p) {
     return mpq_class(
         side * ((b.first - a.first) * (p.second - a.second) - (b.second - a.second) * (p.first - a.first)));
@@ -50,16 +50,16 @@ inline RationalContour part_of(const RationalContour& piece, const std::pair<mpq
 }
 
 /// The pieces without a convex contour.
-inline Pieces without(const Pieces& pieces, const RationalContour& hole) {
+inline Pieces without(const Pieces& pieces, const CutContour& hole) {
   const mpq_class turn = twice_area(hole);
   if (turn == 0) return pieces;
   const int inner = turn > 0 ? 1 : -1;
   Pieces out;
-  for (RationalContour rest : pieces)
+  for (CutContour rest : pieces)
     for (std::size_t i = 0; i < hole.size() && !rest.empty(); ++i) {
       const auto& a = hole[i];
       const auto& b = hole[(i + 1) % hole.size()];
-      RationalContour outer = part_of(rest, a, b, -inner);
+      CutContour outer = part_of(rest, a, b, -inner);
       if (twice_area(outer) != 0) out.push_back(std::move(outer));
       rest = part_of(rest, a, b, inner);
     }
@@ -67,14 +67,14 @@ inline Pieces without(const Pieces& pieces, const RationalContour& hole) {
 }
 
 inline Pieces without(Pieces pieces, const Pieces& holes) {
-  for (const RationalContour& hole : holes) pieces = without(pieces, hole);
+  for (const CutContour& hole : holes) pieces = without(pieces, hole);
   return pieces;
 }
 
 /// The set of the places in an odd number of convex contours, or in any of them.
-inline Pieces combined(const std::vector<RationalContour>& contours, bool odd) {
+inline Pieces combined(const std::vector<CutContour>& contours, bool odd) {
   Pieces all;
-  for (const RationalContour& contour : contours) {
+  for (const CutContour& contour : contours) {
     if (twice_area(contour) == 0) continue;
     Pieces added = without(Pieces{contour}, all);
     if (odd) all = without(all, contour);
@@ -86,13 +86,13 @@ inline Pieces combined(const std::vector<RationalContour>& contours, bool odd) {
 /// The area of the pieces, in pixels.
 inline mpq_class area_of(const Pieces& pieces) {
   mpq_class sum = 0;
-  for (const RationalContour& piece : pieces) sum += abs(twice_area(piece));
+  for (const CutContour& piece : pieces) sum += abs(twice_area(piece));
   return sum / (2 * 256 * 256);
 }
 
 /// What of a convex contour lies in the square of pixel (x, y).
-inline RationalContour in_pixel(const Contour& contour, int x, int y) {
-  RationalContour part;
+inline CutContour in_pixel(const Contour& contour, int x, int y) {
+  CutContour part;
   for (const auto p : contour) part.emplace_back(p.x, p.y);
   part = cut(part, true, 256 * x - 128, 1);
   part = cut(part, true, 256 * x + 128, -1);
@@ -107,7 +107,7 @@ inline std::vector<mpq_class> visible_areas(const std::vector<std::pair<Contours
   std::vector<mpq_class> areas;
   std::vector<Pieces> front;
   for (const auto& [contours, odd] : layers) {
-    std::vector<RationalContour> parts;
+    std::vector<CutContour> parts;
     for (const Contour& contour : contours) parts.push_back(in_pixel(contour, x, y));
     const Pieces all = combined(parts, odd);
     Pieces seen = all;

@@ -74,7 +74,7 @@ using Layers = std::vector<std::pair<Contours, bool>>;
 /// Contours in one array, all the same way round.
 tests::FlatContours flat(Contours contours) {
   for (Contour& contour : contours) {
-    oracle::RationalContour exact;
+    oracle::CutContour exact;
     for (const SubPoint p : contour) exact.emplace_back(p.x, p.y);
     if (oracle::twice_area(exact) < 0) std::reverse(contour.begin(), contour.end());
   }

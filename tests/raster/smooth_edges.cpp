@@ -49,7 +49,7 @@ LevelSink line_levels(SubPoint a, SubPoint b, int width, Cap cap, const Rect& cl
 }
 
 /// The true rectangle of a line, to 60 binary places.
-oracle::RationalContour rectangle(SubPoint a, SubPoint b, int width, bool square) {
+oracle::CutContour rectangle(SubPoint a, SubPoint b, int width, bool square) {
   const long double dx = static_cast<long double>(b.x) - a.x;
   const long double dy = static_cast<long double>(b.y) - a.y;
   const long double length = std::sqrt(dx * dx + dy * dy);

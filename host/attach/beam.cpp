@@ -156,7 +156,7 @@ std::string tearing_notice(const BeamTiming& timing, const hal::Capabilities& pa
   if (most == 0) return text + "What each write takes beside its pixels is too much for any bus.\n";
   text += "At most " + milliseconds(lines * most + bands * timing.bus_band) + " would do";
   if (const auto hertz = sufficient_hertz(timing, panel, bus))
-    text += ", as with --spi-hz " + std::to_string(*hertz);
+    text += ", as with " + std::string(bus.set_by) + std::to_string(*hertz) + std::string(bus.unit);
   else if (bus.hertz != 0)
     text += ", which no clock makes that such panels take";
   else

@@ -19,6 +19,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace host {
 
@@ -46,6 +47,9 @@ struct BusTimes {
 struct ClockedBus {
   std::uint32_t hertz = 0;      ///< 0: it has none that a user could set.
   std::uint32_t line_bits = 0;  ///< Of a line of the beam.
+  /// What a user writes before and after the number to set it.
+  std::string_view set_by = "--spi-hz ";
+  std::string_view unit = "";
 };
 /// The slowest clock, in whole 100 kHz, with which frames aren't torn, what a line takes beside its bits
 /// being as it is; none if there is none up to 80 MHz, more than which no such panel takes.

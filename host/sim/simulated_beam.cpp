@@ -43,7 +43,7 @@ intaglio::present::BeamTiming simulated_beam(const hal::sim::PanelSpec& spec,
   if (effects.bus && effects.bus->clocks_per_byte == 8) {
     const int bits = effects.bus->bits_per_pixel > 0 ? effects.bus->bits_per_pixel : c.bits_per_pixel;
     const int pixels = hal::sim::by_columns(c.scan) ? c.height : c.width;
-    clocked = {effects.bus->hertz, static_cast<std::uint32_t>(pixels * bits)};
+    clocked = {effects.bus->hertz, static_cast<std::uint32_t>(pixels * bits), "bus=", "Hz"};
   }
   notice = tearing_notice(timing, c, clocked);
   return timing;

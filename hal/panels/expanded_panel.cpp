@@ -31,7 +31,7 @@ std::size_t row_bytes(int width, int bits) noexcept {
 }  // namespace
 
 ExpandedPanel::ExpandedPanel(Panel& inner, std::span<std::uint8_t> workspace) noexcept
-    : inner_(&inner), workspace_(workspace), capabilities_(in_front_of(inner.capabilities())) {}
+    : BufferlessPanel(in_front_of(inner.capabilities())), inner_(&inner), workspace_(workspace) {}
 
 Status ExpandedPanel::do_load_palette(std::span<const std::uint8_t> palette) noexcept {
   for (std::size_t i = 0; i < palette.size() / 3; ++i)

@@ -8,13 +8,14 @@
 // holds, each of whole aligned blocks.
 #pragma once
 
+#include <hal/panels/bufferless_panel.hpp>
 #include <hal/panels/expansion.hpp>
 
 #include <array>
 
 namespace hal::panels {
 
-class ExpandedPanel final : public Panel {
+class ExpandedPanel final : public BufferlessPanel {
  public:
   /// `inner` is a write panel of 1, 2 or 4 bits a pixel with fixed colours: even greys, black first or white
   /// first. `workspace` takes the pixels for one of its writes; it holds at least one block of the panel's
@@ -22,13 +23,6 @@ class ExpandedPanel final : public Panel {
   ExpandedPanel(Panel& inner, std::span<std::uint8_t> workspace) noexcept;
 
  private:
-  const Capabilities& do_capabilities() const noexcept override { return capabilities_; }
-  std::span<std::uint8_t> do_buffer(int) noexcept override { return {}; }
-  int do_buffer_stride() const noexcept override { return 0; }
-  Status do_show(int, std::span<const std::uint8_t>) noexcept override {
-    return {Error::unsupported, Part::buffer};
-  }
-  bool do_show_pending() noexcept override { return false; }
   /// Errors: unsupported (panel) if `inner` isn't what it should be, invalid (buffer) if the workspace is too
   /// small, and those of `inner`.
   Status do_write(const Rect& area, std::span<const std::uint8_t> pixels, int stride) noexcept override;
@@ -43,7 +37,6 @@ class ExpandedPanel final : public Panel {
 
   Panel* inner_;
   std::span<std::uint8_t> workspace_;
-  Capabilities capabilities_;
   std::array<std::uint8_t, 256> greys_{};
 };
 

@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: MIT
 //
-// What all panels with memory of their own have in common.
+// What all drivers of panels with memory of their own have in common.
 #pragma once
 
-#include <hal/panel.hpp>
+#include <hal/panels/bufferless_panel.hpp>
 #include <hal/panels/frame_ticks.hpp>
 
 namespace hal::panels {
 
 /// A write panel: a driver adds `do_write`, a start, and `do_load_palette` if it has one.
-class WritePanel : public Panel {
+class WritePanel : public BufferlessPanel {
  protected:
   /// `vblank` gives the rhythm of frames, as a tearing-effect line does; null: `frame_clock` does at
   /// `capabilities.refresh_millihertz` (at least 1); both null: no rhythm. Both outlive the panel.
   /// `capabilities.vblank_signal` is set to what is true.
   WritePanel(const Capabilities& capabilities, Clock* frame_clock, VblankSource* vblank = nullptr) noexcept
-      : capabilities_(capabilities), ticks_(frame_clock, capabilities.refresh_millihertz), vblank_(vblank) {
-    capabilities_.vblank_signal = vblank != nullptr;
-  }
+      : BufferlessPanel(told_by(vblank, capabilities)),
+        ticks_(frame_clock, capabilities.refresh_millihertz),
+        vblank_(vblank) {}
   ~WritePanel() = default;
 
   Status do_load_palette(std::span<const std::uint8_t>) noexcept override {
@@ -25,18 +25,14 @@ class WritePanel : public Panel {
   }
 
  private:
-  const Capabilities& do_capabilities() const noexcept final { return capabilities_; }
-  std::span<std::uint8_t> do_buffer(int) noexcept final { return {}; }
-  int do_buffer_stride() const noexcept final { return 0; }
-  Status do_show(int, std::span<const std::uint8_t>) noexcept final {
-    return {Error::unsupported, Part::buffer};
+  static Capabilities told_by(const VblankSource* vblank, Capabilities capabilities) noexcept {
+    capabilities.vblank_signal = vblank != nullptr;
+    return capabilities;
   }
-  bool do_show_pending() noexcept final { return false; }
   std::uint32_t do_vblank_count() noexcept final { return rhythm().count(); }
   Status do_wait_for_vblank() noexcept final { return rhythm().wait(); }
   VblankSource& rhythm() noexcept { return vblank_ != nullptr ? *vblank_ : ticks_; }
 
-  Capabilities capabilities_;
   FrameTicks ticks_;
   VblankSource* vblank_;
 };

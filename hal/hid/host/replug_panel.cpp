@@ -20,18 +20,18 @@ Capabilities in_whole_bytes(Capabilities c) {
 }  // namespace
 
 ReplugPanel::ReplugPanel(Panel& inner, ReportPort& port, Clock& clock, Restart restart, Nanoseconds patience)
-    : inner_(&inner),
+    : BufferlessPanel(in_whole_bytes(inner.capabilities())),
+      inner_(&inner),
       port_(&port),
       clock_(&clock),
       restart_(std::move(restart)),
       patience_(patience),
-      capabilities_(in_whole_bytes(inner.capabilities())),
-      stride_(static_cast<int>(row_bytes(capabilities_.width, capabilities_.bits_per_pixel))),
-      picture_(picture_bytes(capabilities_)) {}
+      stride_(static_cast<int>(row_bytes(capabilities().width, capabilities().bits_per_pixel))),
+      picture_(picture_bytes(capabilities())) {}
 
 Status ReplugPanel::do_write(const Rect& area, std::span<const std::uint8_t> pixels, int stride) noexcept {
-  const std::size_t left = row_bytes(area.x, capabilities_.bits_per_pixel);
-  const std::size_t across = row_bytes(area.width, capabilities_.bits_per_pixel);
+  const std::size_t left = row_bytes(area.x, capabilities().bits_per_pixel);
+  const std::size_t across = row_bytes(area.width, capabilities().bits_per_pixel);
   for (int y = 0; y < area.height; ++y) {
     const auto from = pixels.subspan(static_cast<std::size_t>(y) * static_cast<std::size_t>(stride), across);
     const auto row = static_cast<std::size_t>(area.y + y) * static_cast<std::size_t>(stride_);
@@ -61,7 +61,7 @@ Status ReplugPanel::restore() {
   if (const Status s = restart_(); !s.ok()) return s;
   if (!palette_.empty())
     if (const Status s = inner_->load_palette(palette_); !s.ok()) return s;
-  const Rect whole{0, 0, capabilities_.width, capabilities_.height};
+  const Rect whole{0, 0, capabilities().width, capabilities().height};
   if (const Status s = inner_->write(whole, picture_, stride_); !s.ok()) return s;
   ++reconnects_;
   return {};

@@ -9,7 +9,7 @@
 
 #include <hal/clock.hpp>
 #include <hal/hid/host/report_port.hpp>
-#include <hal/panel.hpp>
+#include <hal/panels/bufferless_panel.hpp>
 
 #include <cstdint>
 #include <functional>
@@ -17,7 +17,7 @@
 
 namespace hal::hid {
 
-class ReplugPanel final : public Panel {
+class ReplugPanel final : public panels::BufferlessPanel {
  public:
   /// Sets the controller up and clears its memory; called when the port is open again.
   using Restart = std::function<Status()>;
@@ -30,13 +30,6 @@ class ReplugPanel final : public Panel {
   [[nodiscard]] std::uint64_t reconnects() const { return reconnects_; }
 
  private:
-  const Capabilities& do_capabilities() const noexcept override { return capabilities_; }
-  std::span<std::uint8_t> do_buffer(int) noexcept override { return {}; }
-  int do_buffer_stride() const noexcept override { return 0; }
-  Status do_show(int, std::span<const std::uint8_t>) noexcept override {
-    return {Error::unsupported, Part::buffer};
-  }
-  bool do_show_pending() noexcept override { return false; }
   /// Errors: those of `inner`; disconnected when patience ran out.
   Status do_write(const Rect& area, std::span<const std::uint8_t> pixels, int stride) noexcept override;
   Status do_load_palette(std::span<const std::uint8_t> palette) noexcept override;
@@ -52,7 +45,6 @@ class ReplugPanel final : public Panel {
   Clock* clock_;
   Restart restart_;
   Nanoseconds patience_;
-  Capabilities capabilities_;
   int stride_;
   std::vector<std::uint8_t> picture_;
   std::vector<std::uint8_t> palette_;

@@ -25,6 +25,15 @@ using Bytes = std::vector<std::uint8_t>;
 
 constexpr Nanoseconds millisecond = 1'000'000;
 
+/// A bus that takes so many milliseconds for the pixels of a `Stage`, and no time for anything else.
+hal::sim::BusTiming picture_in(std::uint32_t milliseconds) {
+  return {.hertz = 32U * 240U * 1000U / milliseconds,
+          .clocks_per_byte = 1,
+          .bits_per_pixel = 8,
+          .command_bytes = 0,
+          .gap = 0};
+}
+
 /// A panel of 32x240 pixels, a buffer or a bus, with all that watches it.
 struct Stage {
   explicit Stage(int buffers, const Effects& effects = {})
@@ -97,11 +106,7 @@ TEST(Explain, AFrameThatWasReplacedWasDropped) {
 
 TEST(Explain, ABusSlowerThanTheBeamTears) {
   Effects effects;
-  effects.bus = hal::sim::BusTiming{.hertz = 32U * 240U * 1000U / 18U,
-                                    .clocks_per_byte = 1,
-                                    .bits_per_pixel = 8,
-                                    .command_bytes = 0,
-                                    .gap = 0};
+  effects.bus = picture_in(18);
   Stage stage(0, effects);
   for (std::uint32_t frame = 0; frame < 2; ++frame) {
     ASSERT_TRUE(stage.panel.wait_for_vblank().ok());
@@ -125,11 +130,7 @@ TEST(Explain, ABusSlowerThanTheBeamTears) {
 
 TEST(Explain, ASendingOutsideOfVblankTears) {
   Effects effects;
-  effects.bus = hal::sim::BusTiming{.hertz = 32U * 240U * 1000U / 5U,
-                                    .clocks_per_byte = 1,
-                                    .bits_per_pixel = 8,
-                                    .command_bytes = 0,
-                                    .gap = 0};
+  effects.bus = picture_in(5);
   Stage stage(0, effects);
   stage.clock.wait_until(3U * stage.panel.frame_time() + 4U * millisecond);
   stage.draw(0, 0);
@@ -152,11 +153,7 @@ TEST(Explain, ABeamThatGoesAnotherWayIsntSaidToBeOvertaken) {
                         Case{hal::ScanDirection::right, "with the beam at column 8"},
                         Case{hal::ScanDirection::left, "with the beam at column 23"}}) {
     Effects effects;
-    effects.bus = hal::sim::BusTiming{.hertz = 32U * 240U * 1000U / 5U,
-                                      .clocks_per_byte = 1,
-                                      .bits_per_pixel = 8,
-                                      .command_bytes = 0,
-                                      .gap = 0};
+    effects.bus = picture_in(5);
     effects.scan = c.scan;
     Stage stage(0, effects);
     stage.clock.wait_until(3U * stage.panel.frame_time() + 4U * millisecond);
@@ -198,8 +195,7 @@ TEST(Explain, FramesInSuccessionThatWereLateAlikeAreToldTogether) {
   }
   const std::string late =
       "was late by 1 refresh: due 16.67 ms after the frame before, it came after 33.33 ms. Drawing took "
-      "20.00 "
-      "ms. Drawing alone takes longer than a frame may.\n";
+      "20.00 ms. Drawing alone takes longer than a frame may.\n";
   EXPECT_EQ(stage.explanation(),
             "12 frames in 23 refreshes of 16.67 ms: 0 torn, 10 late, 0 dropped.\n"
             "Each of frames 1 to 7 " +
@@ -208,8 +204,7 @@ TEST(Explain, FramesInSuccessionThatWereLateAlikeAreToldTogether) {
 
 TEST(Explain, TheManyRefreshesOfOneFrameAreCounted) {
   Effects effects;
-  effects.bus = hal::sim::BusTiming{
-      .hertz = 32U * 240U * 10U, .clocks_per_byte = 1, .bits_per_pixel = 8, .command_bytes = 0, .gap = 0};
+  effects.bus = picture_in(100);
   Stage stage(0, effects);
   stage.draw(0, 0);
   stage.send(0);  // 100 ms: torn in refreshes 1 to 5, and in 0 by its first bytes.

@@ -4,13 +4,13 @@
 #include <host/attach/interruption.hpp>
 #include <host/attach/metered_panel.hpp>
 #include <host/failure.hpp>
+#include <host/sim/output_file.hpp>
 #include <host/sim/simulation.hpp>
 #include <intaglio/status_text.hpp>
 
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <fstream>
 #include <limits>
 #include <optional>
 #include <ostream>
@@ -27,6 +27,8 @@ void list_panels(std::ostream& out) {
 
 void run_on_real_panel(const Options& options) {
   const Program& program = program_of(options);
+  std::optional<OutputFile> report;
+  if (options.report) report.emplace(*options.report);
   // From here on a signal may not end the program: it would leave the panel as it happens to be.
   watch_for_interruption(SecondSignal::waits);
   const std::unique_ptr<AttachedPanel> attached = attach(options.attach);
@@ -58,8 +60,7 @@ void run_on_real_panel(const Options& options) {
   tell();
   const std::string torn = chaser ? fmt::format("torn_frames {}\n", chaser->torn()) : "";
   const std::string counters = panel.counters() + torn + attached->counters();
-  if (options.report && !(std::ofstream(*options.report) << counters).flush())
-    throw Failure("cannot write " + *options.report);
+  if (report) report->write(counters);
   if (status.ok()) {
     if (!options.digest) fmt::print("{}", counters);
     return;

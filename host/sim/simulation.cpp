@@ -10,6 +10,7 @@
 #include <host/failure.hpp>
 #include <host/sim/apng.hpp>
 #include <host/sim/explain.hpp>
+#include <host/sim/output_file.hpp>
 #include <host/sim/program.hpp>
 #include <host/sim/simulated_beam.hpp>
 #include <host/sim/simulation.hpp>
@@ -127,6 +128,7 @@ class Simulation {
     if (options.png)
       still_ =
           std::make_unique<ApngWriter>(*options.png, glass_.width(), glass_.height(), pictures_per_second_);
+    if (options.trace) trace_.emplace(*options.trace);
     viewer_ = viewer_of(options, glass_);
     endless_ = viewer_ && !options.frames;
     frames_ =
@@ -200,7 +202,7 @@ class Simulation {
   /// Says what a viewer would have seen amiss.
   void report() {
     if (!tearing_) return;
-    if (options_.trace) write_trace(*options_.trace, *timeline_, tearing_->tears());
+    if (trace_) trace_->write(trace(*timeline_, tearing_->tears()));
     if (options_.explain) {
       fmt::print(options_.digest ? stderr : stdout, "{}", explain(*timeline_, tearing_->tears()));
       return;
@@ -267,6 +269,7 @@ class Simulation {
   std::string animation_path_;
   std::unique_ptr<ApngWriter> animation_;
   std::unique_ptr<ApngWriter> still_;
+  std::optional<OutputFile> trace_;
   std::unique_ptr<Viewer> viewer_;
   bool endless_ = false;
   bool show_progress_ = false;

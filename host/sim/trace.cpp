@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include <host/failure.hpp>
 #include <host/sim/trace.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <fstream>
 #include <string_view>
 
 namespace host {
@@ -82,8 +80,7 @@ void add_frame(Events& events, const FrameRecord& frame) {
 
 }  // namespace
 
-void write_trace(const std::string& path, const Timeline& timeline,
-                 const std::vector<hal::sim::Tear>& requested) {
+std::string trace(const Timeline& timeline, const std::vector<hal::sim::Tear>& requested) {
   const std::vector<hal::sim::Tear> tears = timeline.of_frames(requested);
   Events events;
   for (const FrameRecord& frame : timeline.frames()) add_frame(events, frame);
@@ -104,19 +101,17 @@ void write_trace(const std::string& path, const Timeline& timeline,
                    fmt::format(R"("shown":{},"late":{},"dropped":{},"repeated":{})", counts->shown,
                                counts->late, counts->dropped, counts->repeated));
 
-  std::ofstream file(path, std::ios::trunc);
-  file << R"({"displayTimeUnit":"ms","traceEvents":[)" << '\n';
-  file << fmt::format(R"({{"ph":"M","name":"process_name","pid":1,"tid":0,"args":{{"name":"{}"}}}})",
+  std::string text = R"({"displayTimeUnit":"ms","traceEvents":[)"
+                     "\n";
+  text += fmt::format(R"({{"ph":"M","name":"process_name","pid":1,"tid":0,"args":{{"name":"{}"}}}})",
                       timeline.panel().spec().name);
   for (std::size_t i = 0; i < track_names.size(); ++i)
-    file << fmt::format(
+    text += fmt::format(
         ",\n"
         R"({{"ph":"M","name":"thread_name","pid":1,"tid":{},"args":{{"name":"{}"}}}})",
         i + 1U, track_names[i]);
-  for (const Event& event : events.in_order()) file << ",\n" << event.text;
-  file << "\n]}\n";
-  file.close();
-  if (!file) throw Failure("cannot write " + path);
+  for (const Event& event : events.in_order()) text += ",\n" + event.text;
+  return text + "\n]}\n";
 }
 
 }  // namespace host

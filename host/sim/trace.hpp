@@ -13,7 +13,7 @@
 
 namespace host {
 
-/// Throws Failure if the file can't be written.
-void write_trace(const std::string& path, const Timeline& timeline, const std::vector<hal::sim::Tear>& tears);
+/// The text of the file.
+[[nodiscard]] std::string trace(const Timeline& timeline, const std::vector<hal::sim::Tear>& tears);
 
 }  // namespace host

@@ -9,13 +9,12 @@
 #include <intaglio/present/beam_chaser.hpp>
 #include <tests/hal/linux/fake_gpio.hpp>
 #include <tests/hal/linux/spi_decoder.hpp>
+#include <tests/host/run_tool.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdio>
-#include <fstream>
 #include <memory>
 #include <optional>
 #include <random>
@@ -240,7 +239,8 @@ TEST_F(Chased, ALineThatTellsNothingIsNoBeam) {
 
 /// What `--report` says of a run of the program.
 std::string reported(host::Options options) {
-  const std::string file = testing::TempDir() + "chased.report";
+  const test_host::Folder folder;
+  const std::string file = folder / "report";
   options.program = "testcard";
   options.report = file;
   options.digest = true;
@@ -249,10 +249,7 @@ std::string reported(host::Options options) {
   host::run_on_real_panel(options);
   static_cast<void>(testing::internal::GetCapturedStdout());
   static_cast<void>(testing::internal::GetCapturedStderr());
-  std::stringstream text;
-  text << std::ifstream(file).rdbuf();
-  std::remove(file.c_str());
-  return text.str();
+  return test_host::read(file);
 }
 
 TEST_F(Chased, AProgramKeepsTimeWithTheTeLine) {

@@ -3,13 +3,11 @@
 // Animated PNG: a reader of its own takes the files apart, checks every chunk's CRC bit by bit, plays the
 // frames and compares them with what went in.
 #include <host/sim/apng.hpp>
+#include <tests/host/run_tool.hpp>
 
 #include <gtest/gtest.h>
 
-#include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <random>
 #include <stdexcept>
 #include <string>
@@ -22,20 +20,18 @@ using host::ApngWriter;
 using host::RgbPicture;
 using Bytes = std::vector<std::uint8_t>;
 
-/// A path in the folder for temporary files that goes away with the object.
+/// A path that goes away with the object, and is nobody else's.
 class TemporaryFile {
  public:
-  explicit TemporaryFile(const std::string& name) : path_(testing::TempDir() + "intaglio-" + name) {}
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-  ~TemporaryFile() { std::remove(path_.c_str()); }
+  TemporaryFile() : path_(folder_ / "picture.png") {}
   [[nodiscard]] const std::string& path() const { return path_; }
   [[nodiscard]] Bytes read() const {
-    std::ifstream file(path_, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    const std::string bytes = test_host::read(path_);
+    return {bytes.begin(), bytes.end()};
   }
 
  private:
+  test_host::Folder folder_;
   std::string path_;
 };
 
@@ -133,7 +129,7 @@ RgbPicture noise(int width, int height, std::mt19937& random) {
 
 TEST(Apng, PlaysBackEveryFrame) {
   std::mt19937 random(7);
-  const TemporaryFile file("playback.png");
+  const TemporaryFile file;
   std::vector<RgbPicture> frames{noise(37, 23, random)};
   for (int i = 1; i < 30; ++i) {
     RgbPicture next = frames.back();
@@ -154,11 +150,11 @@ TEST(Apng, PlaysBackEveryFrame) {
 TEST(Apng, AStandingPictureCostsOnlyAPixelAFrame) {
   std::mt19937 random(8);
   const RgbPicture picture = noise(64, 64, random);
-  const TemporaryFile one("one.png");
+  const TemporaryFile one;
   ApngWriter short_writer(one.path(), 64, 64, 60);
   short_writer.add(picture);
   short_writer.finish();
-  const TemporaryFile hundred("hundred.png");
+  const TemporaryFile hundred;
   ApngWriter long_writer(hundred.path(), 64, 64, 60);
   for (int i = 0; i < 100; ++i) long_writer.add(picture);
   long_writer.finish();
@@ -167,7 +163,7 @@ TEST(Apng, AStandingPictureCostsOnlyAPixelAFrame) {
 }
 
 TEST(Apng, ReaderSeesADamagedByte) {
-  const TemporaryFile file("damaged.png");
+  const TemporaryFile file;
   ApngWriter writer(file.path(), 4, 4, 60);
   writer.add(RgbPicture(4, 4));
   writer.finish();
@@ -178,7 +174,7 @@ TEST(Apng, ReaderSeesADamagedByte) {
 }
 
 TEST(Apng, AnUnfinishedFileGoesAway) {
-  const TemporaryFile file("unfinished.png");
+  const TemporaryFile file;
   {
     ApngWriter writer(file.path(), 4, 4, 60);
     writer.add(RgbPicture(4, 4));
@@ -188,7 +184,7 @@ TEST(Apng, AnUnfinishedFileGoesAway) {
 
 TEST(Apng, RefusesWhatItCannotDo) {
   EXPECT_THROW(ApngWriter("/no/such/folder/x.png", 4, 4, 60), std::runtime_error);
-  const TemporaryFile file("refused.png");
+  const TemporaryFile file;
   ApngWriter writer(file.path(), 4, 4, 60);
   EXPECT_THROW(writer.finish(), std::runtime_error);
   EXPECT_THROW(writer.add(RgbPicture(5, 4)), std::runtime_error);
